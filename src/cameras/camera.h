@@ -1,0 +1,51 @@
+// Cameras. Raster space: x to the right, y down, (0,0) the corner of the top left pixel of the full resolution.
+// Camera space is pbrt's, left-handed: x right, y up, z forward.
+#pragma once
+
+#include "core/ray.h"
+#include "core/transform.h"
+
+#include <memory>
+#include <optional>
+
+namespace vitrine {
+
+struct CameraSample {
+    V2d raster; ///< pixels
+    V2f lens;   ///< uniform in the unit square
+};
+
+struct CameraRay {
+    Ray ray;          ///< world space, unit direction
+    float weight = 1; ///< importance over density
+};
+
+/// A connection from a point of the scene to the camera, for light tracing.
+struct CameraConnection {
+    V3f wi;         ///< unit, from the point to the camera
+    V3d pLens;      ///< where on the lens
+    V2d raster;     ///< the pixel it lands on
+    float we = 0;   ///< importance of the ray; integrates to 1 over pixels' area and solid angle
+    float pdf = 0;  ///< per solid angle at the point
+};
+
+class Camera {
+  public:
+    virtual ~Camera() = default;
+    /// The ray of a sample; empty when nothing can come from there.
+    virtual std::optional<CameraRay> generate(const CameraSample& sample) const = 0;
+    /// Densities with which generate() makes this ray when raster and lens are uniform: per lens area and per solid
+    /// angle; zero for rays it cannot make.
+    struct Density {
+        float position = 0, direction = 0;
+        float we = 0;
+        V2d raster;
+    };
+    virtual Density density(const Ray& ray) const = 0;
+    /// A point on the lens that sees p. Empty when p is out of the picture.
+    virtual std::optional<CameraConnection> connect(const V3d& p, const V2f& u) const = 0;
+    /// Middle of the lens, world space (the interior that the camera stands in is looked for from here).
+    virtual V3d position() const = 0;
+};
+
+} // namespace vitrine

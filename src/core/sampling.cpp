@@ -1,0 +1,110 @@
+#include "core/sampling.h"
+
+namespace vitrine {
+
+namespace {
+
+constexpr float oneMinusEpsilon = 0x1.fffffep-1f;
+
+} // namespace
+
+V2f sampleUniformDisk(const V2f& u) {
+    const float x = 2 * u.x - 1, y = 2 * u.y - 1;
+    if (x == 0 && y == 0) return V2f(0, 0);
+    if (std::abs(x) > std::abs(y)) {
+        const float theta = pi / 4 * (y / x);
+        return V2f(x * std::cos(theta), x * std::sin(theta));
+    }
+    const float theta = pi / 2 - pi / 4 * (x / y);
+    return V2f(y * std::cos(theta), y * std::sin(theta));
+}
+
+PiecewiseConstant1D::PiecewiseConstant1D(std::span<const float> weights) : weights_(weights.begin(), weights.end()) {
+    const std::size_t n = weights_.size();
+    cdf_.assign(n + 1, 0);
+    for (std::size_t i = 0; i < n; ++i) cdf_[i + 1] = cdf_[i] + weights_[i];
+    const double total = cdf_[n];
+    integral_ = n ? total / double(n) : 0;
+    if (!(total > 0)) weights_.assign(n, 1.f);
+    for (std::size_t i = 0; i <= n; ++i) cdf_[i] = total > 0 ? cdf_[i] / total : double(i) / double(n);
+}
+
+PiecewiseConstant1D::Sample PiecewiseConstant1D::sample(float u) const {
+    // The last bin whose cdf is at most u and whose width is not zero.
+    auto it = std::upper_bound(cdf_.begin(), cdf_.end(), double(u));
+    std::size_t bin = std::size_t(std::max<std::ptrdiff_t>(0, it - cdf_.begin() - 1));
+    bin = std::min(bin, weights_.size() - 1);
+    const double width = cdf_[bin + 1] - cdf_[bin];
+    const double within = width > 0 ? std::clamp((double(u) - cdf_[bin]) / width, 0., 1.) : 0;
+    const double x = (double(bin) + within) / double(weights_.size());
+    return {std::min(float(x), oneMinusEpsilon), float(width * double(weights_.size())), int(bin)};
+}
+
+float PiecewiseConstant1D::pdf(float x) const {
+    const int bin = std::clamp(int(x * float(size())), 0, size() - 1);
+    return probability(bin) * float(size());
+}
+
+float PiecewiseConstant1D::probability(int bin) const {
+    return float(cdf_[std::size_t(bin) + 1] - cdf_[std::size_t(bin)]);
+}
+
+PiecewiseConstant2D::PiecewiseConstant2D(std::span<const float> weights, int width, int height) {
+    std::vector<float> sums;
+    for (int y = 0; y < height; ++y) {
+        rows_.emplace_back(weights.subspan(std::size_t(y) * std::size_t(width), std::size_t(width)));
+        sums.push_back(float(rows_.back().integral()));
+    }
+    marginal_ = PiecewiseConstant1D(sums);
+}
+
+PiecewiseConstant2D::Sample PiecewiseConstant2D::sample(const V2f& u) const {
+    const auto v = marginal_.sample(u.y);
+    const auto h = rows_[std::size_t(v.bin)].sample(u.x);
+    return {V2f(h.x, v.x), h.pdf * v.pdf};
+}
+
+float PiecewiseConstant2D::pdf(const V2f& p) const {
+    const int row = std::clamp(int(p.y * float(marginal_.size())), 0, marginal_.size() - 1);
+    return marginal_.pdf(p.y) * rows_[std::size_t(row)].pdf(p.x);
+}
+
+AliasTable::AliasTable(std::span<const double> weights) {
+    const std::size_t n = weights.size();
+    double total = 0;
+    for (double w : weights) total += w;
+    bins_.resize(n);
+    std::vector<double> scaled(n);
+    std::vector<int> small, large;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double p = total > 0 ? weights[i] / total : 1 / double(n);
+        bins_[i] = {1, float(p), int(i)};
+        scaled[i] = p * double(n);
+        (scaled[i] < 1 ? small : large).push_back(int(i));
+    }
+    while (!small.empty() && !large.empty()) {
+        const auto s = std::size_t(small.back()), l = std::size_t(large.back());
+        small.pop_back();
+        bins_[s].threshold = float(scaled[s]);
+        bins_[s].alias = int(l);
+        scaled[l] -= 1 - scaled[s];
+        if (scaled[l] < 1) {
+            large.pop_back();
+            small.push_back(int(l));
+        }
+    }
+}
+
+AliasTable::Sample AliasTable::sample(float u, float* remapped) const {
+    const float scaled = u * float(bins_.size());
+    const int bin = std::min(int(scaled), size() - 1);
+    const float rest = std::min(scaled - float(bin), oneMinusEpsilon);
+    const Bin& b = bins_[std::size_t(bin)];
+    const bool own = rest < b.threshold;
+    if (remapped)
+        *remapped = std::min(own ? rest / b.threshold : (rest - b.threshold) / (1 - b.threshold), oneMinusEpsilon);
+    const int index = own ? bin : b.alias;
+    return {index, bins_[std::size_t(index)].probability};
+}
+
+} // namespace vitrine

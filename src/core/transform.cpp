@@ -1,0 +1,38 @@
+#include "core/transform.h"
+
+#include <stdexcept>
+
+namespace vitrine {
+
+Transform::Transform(const M44d& matrix) : matrix_(matrix) {
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+            if (!std::isfinite(matrix[i][j])) throw std::domain_error("the transformation is not finite");
+    try {
+        inverse_ = matrix.gjInverse(true);
+    } catch (const std::exception&) {
+        throw std::domain_error("the transformation is singular");
+    }
+}
+
+bool Transform::swapsHandedness() const {
+    const auto& m = matrix_;
+    const double det = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+                       m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+                       m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+    return det < 0;
+}
+
+Box3d Transform::box(const Box3d& b) const {
+    Box3d result;
+    if (b.isEmpty()) return result;
+    for (int i = 0; i < 8; ++i)
+        result.extendBy(point(V3d(i & 1 ? b.max.x : b.min.x, i & 2 ? b.max.y : b.min.y, i & 4 ? b.max.z : b.min.z)));
+    return result;
+}
+
+Transform Transform::then(const Transform& next) const {
+    return Transform(matrix_ * next.matrix_, next.inverse_ * inverse_);
+}
+
+} // namespace vitrine

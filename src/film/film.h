@@ -1,0 +1,85 @@
+// The film: sums of weighted samples per pixel that do not depend on the order of adding.
+#pragma once
+
+#include "core/image.h"
+#include "film/filter.h"
+#include "spectrum/colorspace.h"
+
+#include <string>
+
+namespace vitrine {
+
+/// Sums in 64-bit fixed point of resolution 2^-30: adding is associative, so pictures are the same for any grouping of
+/// samples into threads, passes or machines. Sums saturate at +-2^33 and say so (Film::badSamples).
+class FixedSum {
+  public:
+    static constexpr double scale = double(1 << 30);
+    /// Adds x; returns false if the sum saturated (or x is not finite, then nothing is added).
+    bool add(double x);
+    bool add(const FixedSum& other);
+    double value() const { return double(sum_) / scale; }
+    std::int64_t raw() const { return sum_; }
+    static FixedSum fromRaw(std::int64_t raw) {
+        FixedSum s;
+        s.sum_ = raw;
+        return s;
+    }
+
+  private:
+    std::int64_t sum_ = 0;
+};
+
+struct FilmSettings {
+    V2i resolution{1280, 720};
+    /// Half-open pixel rectangle that is rendered: min (inclusive), max (exclusive).
+    V2i cropMin{0, 0}, cropMax{1280, 720};
+    const RgbColorSpace* colorSpace = nullptr; ///< null: sRGB
+    float maxComponentValue = infinity;
+    float imagingRatio = 1; ///< exposure time x ISO / 100 (pbrt-v4's sensor "cie1931")
+    Filter::Settings filter;
+
+    V2i cropSize() const { return cropMax - cropMin; }
+};
+
+/// The picture being made. Different pixels may be added to from different threads at once; one pixel may not.
+class Film {
+  public:
+    /// \throws std::invalid_argument for an empty, inverted or absurd rectangle (more than 2^31 pixels)
+    explicit Film(const FilmSettings& settings);
+
+    const FilmSettings& settings() const { return settings_; }
+    const Filter& filter() const { return filter_; }
+
+    /// \param pixel in the full picture's coordinates, inside the crop rectangle
+    /// \param half which of the two half-buffers (even or odd samples) the sample belongs to: 0 or 1
+    void add(const V2i& pixel, const SampledSpectrum& radiance, const SampledWavelengths& lambda, float weight,
+             unsigned half);
+    /// Adds another film's sums (same settings). \throws std::invalid_argument when the sizes differ
+    void merge(const Film& other);
+
+    /// Linear RGB in the film's colour space, crop window only, 3 channels; 0 where no sample fell.
+    Image image() const;
+    /// Mean relMSE estimated from the two half-buffers (design.md's relMSE with b the mean of both); +inf before both
+    /// have samples.
+    double estimatedRelMse() const;
+
+    /// Samples that were NaN or infinite (dropped) and sums that saturated: both zero in a sound render.
+    std::uint64_t badSamples() const;
+
+    /// Raw sums for checkpoints: per pixel of the crop window and half: r, g, b, weight.
+    std::span<const FixedSum> sums() const { return sums_; }
+    std::span<FixedSum> sums() { return sums_; }
+
+  private:
+    std::size_t index(const V2i& pixel) const {
+        return (std::size_t(pixel.y - settings_.cropMin.y) * std::size_t(settings_.cropSize().x) +
+                std::size_t(pixel.x - settings_.cropMin.x));
+    }
+
+    FilmSettings settings_;
+    Filter filter_;
+    std::vector<FixedSum> sums_;              ///< [pixel][half][r g b weight]
+    std::vector<std::uint32_t> bad_;          ///< per pixel, as no thread shares a pixel with another
+};
+
+} // namespace vitrine

@@ -1,0 +1,68 @@
+// Lights: emitted radiance, and how to choose directions towards them.
+#pragma once
+
+#include "shapes/shape.h"
+#include "spectrum/spectrum.h"
+
+#include <memory>
+#include <optional>
+
+namespace vitrine {
+
+/// A direction towards a light from a point.
+struct LightSample {
+    V3f wi;             ///< unit, from the point to the light
+    SampledSpectrum l;  ///< radiance arriving from there, unoccluded; for delta lights intensity / distance^2 (or irradiance), to be divided by pdf
+    float pdf = 0;      ///< per solid angle at the point; for delta lights 1
+    Ray shadow;         ///< from the light's end: o unset; d = light point - p and tMax just short of 1, or wi and infinity
+    bool isDelta = false; ///< cannot be hit by a ray: no MIS
+};
+
+class Light {
+  public:
+    virtual ~Light() = default;
+    /// Emitted power of all directions (W, at the wavelengths), for choosing lights.
+    virtual SampledSpectrum power(const SampledWavelengths& lambda) const = 0;
+    /// A direction from `p`, chosen by what arrives. Empty when nothing does.
+    virtual std::optional<LightSample> sample(const V3d& p, const V2f& u, const SampledWavelengths& lambda) const = 0;
+    virtual bool isDelta() const { return false; }
+
+    /// Radiance that escaping rays of direction w meet; lights at infinity only.
+    virtual SampledSpectrum escaped(const V3f& w, const SampledWavelengths& lambda) const {
+        return (void)w, (void)lambda, SampledSpectrum(0);
+    }
+    /// Density of sample(p, ...) to give direction w, per solid angle; lights at infinity only.
+    virtual float pdf(const V3f& w) const { return (void)w, 0.f; }
+    virtual bool isInfinite() const { return false; }
+    /// Called once with the bounding sphere of the scene.
+    virtual void preprocess(const V3d& center, double radius) { (void)center, (void)radius; }
+};
+
+using LightPtr = std::shared_ptr<Light>;
+
+/// A shape that shines.
+class AreaLight final : public Light {
+  public:
+    /// \param l emitted radiance (already scaled). \param twoSided shines from both sides of the shape
+    AreaLight(ShapePtr shape, SpectrumPtr l, bool twoSided) : shape_(std::move(shape)), l_(std::move(l)), twoSided_(twoSided) {}
+
+    SampledSpectrum power(const SampledWavelengths& lambda) const override;
+    std::optional<LightSample> sample(const V3d& p, const V2f& u, const SampledWavelengths& lambda) const override;
+    /// Radiance leaving `point` towards w.
+    SampledSpectrum emitted(const SurfacePoint& point, const V3f& w, const SampledWavelengths& lambda) const {
+        return twoSided_ || w.dot(point.ng) > 0 ? l_->sample(lambda) : SampledSpectrum(0);
+    }
+    /// Density of sample(from, ...) to give the point of a hit, per solid angle at `from`.
+    float pdf(const V3d& from, const PrimitiveHit& hit, const SurfacePoint& point) const {
+        return shape_->pdf(from, hit, point);
+    }
+    using Light::pdf;
+    const Shape& shape() const { return *shape_; }
+
+  private:
+    ShapePtr shape_;
+    SpectrumPtr l_;
+    bool twoSided_;
+};
+
+} // namespace vitrine
