@@ -1,0 +1,45 @@
+// Path tracing with next-event estimation: the judge of the other integrators.
+#pragma once
+
+#include "integrators/integrator.h"
+#include "paths/walk.h"
+
+namespace vitrine {
+
+/// Integrator "path" (and "volpath", which is the same in scenes without media).
+///
+/// | name       | type    | unit   | default | meaning |
+/// |------------|---------|--------|---------|---------|
+/// | maxdepth   | integer | bounces | 5      | scattering events a path may have |
+/// | rrdepth    | integer | bounces | 1      | Russian roulette begins after this many |
+/// | regularize | bool    |        | false   | roughen near-specular surfaces after the first diffuse bounce (biased) |
+/// | nee        | bool    |        | true    | direct light by sampling lights, combined with BSDF sampling; false: an oracle |
+/// | lightsampler | string |       | "power" | pbrt's names are read; lights are chosen by power ("uniform": alike) |
+struct PathSettings {
+    int maxDepth = 5;
+    int rrDepth = 1;
+    bool regularize = false;
+    bool nee = true;
+};
+
+class PathIntegrator final : public Integrator {
+  public:
+    PathIntegrator(const PathSettings& settings, const SamplerSettings& sampler)
+        : settings_(settings), sampler_(sampler) {}
+
+    void addPasses(const World& world, PassRange passes, Film& film, RenderCounters& counters) const override;
+
+    /// Radiance that arrives along `ray` (unit direction), as one sample. Values in secondary wavelengths stay valid
+    /// with `lambda` as given, also when the path ended them on its way.
+    SampledSpectrum radiance(const World& world, const Ray& ray, const SampledWavelengths& lambda,
+                             SampleStream& stream) const;
+
+  private:
+    SampledSpectrum directLight(const World& world, const Walk& walk, const Vertex& vertex, const Bsdf& bsdf,
+                                float uLight, const V2f& u) const;
+
+    PathSettings settings_;
+    SamplerSettings sampler_;
+};
+
+} // namespace vitrine

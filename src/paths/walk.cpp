@@ -1,0 +1,160 @@
+#include "paths/walk.h"
+
+namespace vitrine {
+
+namespace {
+
+/// A path that passes this many surfaces without scattering is caught in coincident ones.
+constexpr int maxPasses = 10000;
+
+const Interior* interiorOf(const Surface& surface) {
+    return surface.material ? surface.material->interior() : nullptr;
+}
+
+} // namespace
+
+float shadingNormalCorrection(const SurfacePoint& point, const V3f& wo, const V3f& wi) {
+    const float numerator = absDot(wo, point.ns) * absDot(wi, point.ng);
+    const float denominator = absDot(wo, point.ng) * absDot(wi, point.ns);
+    return denominator > 0 ? numerator / denominator : 0;
+}
+
+SampledSpectrum transmittance(const Interior* interior, double distance, const SampledWavelengths& lambda) {
+    if (!interior || !interior->absorption) return SampledSpectrum(1.f);
+    const SampledSpectrum sigma = interior->absorption->sample(lambda);
+    // 0 x infinity: a clear wavelength stays clear over any distance.
+    return mapSpectrum(sigma, [&](float s) { return s > 0 ? std::exp(-s * float(distance)) : 1.f; });
+}
+
+void Walk::keepHero() {
+    if (lambda_.secondaryTerminated()) return;
+    lambda_.terminateSecondary();
+    beta = SampledSpectrum(beta[0] * spectrumSamples, 0, 0, 0);
+}
+
+void Walk::passThrough(const Vertex& vertex) {
+    const V3f d = -vertex.wo;
+    if (const Interior* interior = interiorOf(*vertex.surface)) {
+        if (d.dot(vertex.point().ng) < 0)
+            interior_.enter(*interior);
+        else
+            interior_.leave(*interior);
+    }
+    ray = Ray{offsetOrigin(vertex.point(), d), ray.d, ray.tMax - vertex.hit.s};
+}
+
+bool Walk::advance(Vertex& vertex) {
+    for (int i = 0; i < maxPasses; ++i) {
+        vertex.hit = CasterHit();
+        const bool met = world_.caster->intersect(ray, vertex.hit);
+        if (world_.hasAbsorption && !interior_.empty())
+            beta *= transmittance(interior_.current(), met ? vertex.hit.s : infinityD, lambda_);
+        if (!met) return false;
+        const SurfacePoint& point = vertex.hit.point;
+        vertex.surface = &world_.surfaces[vertex.hit.id];
+        vertex.wo = -toFloat(ray.d);
+
+        const Interior* interior = interiorOf(*vertex.surface);
+        const bool isInterface = !vertex.surface->material || vertex.surface->material->isInterface();
+        vertex.crossing = {};
+        if (interior && interior->priority)
+            vertex.crossing = interior_.crossing(*interior, vertex.wo.dot(point.ng) > 0);
+        else if (!interior)
+            vertex.crossing.outside = interior_.current();
+
+        vertex.scatters = !isInterface && vertex.crossing.isReal;
+        if (vertex.scatters) vertex.frame = Frame(point.ns, point.dpdu);
+        if (vertex.scatters || vertex.surface->light) return true;
+        passThrough(vertex);
+    }
+    return false;
+}
+
+Bsdf Walk::bsdfAt(const Vertex& vertex) {
+    MaterialPoint at;
+    at.p = vertex.point().p;
+    at.uv = vertex.point().uv;
+    if (const Interior* outside = vertex.crossing.outside; outside && outside->priority) {
+        at.etaOutside = (*outside->eta)(lambda_.hero());
+        // A conductor or a diffuse surface does not bend light: only a dielectric's angle depends on wavelength.
+        if (!outside->eta->isConstant() && interiorOf(*vertex.surface)) keepHero();
+    }
+    const bool whole = !lambda_.secondaryTerminated();
+    Bsdf bsdf = vertex.surface->material->bsdf(at, lambda_);
+    if (whole && lambda_.secondaryTerminated()) beta = SampledSpectrum(beta[0] * spectrumSamples, 0, 0, 0);
+    return bsdf;
+}
+
+std::optional<Scattered> Walk::scatter(const Vertex& vertex, const Bsdf& bsdf, float uc, const V2f& u) {
+    const V3f wo = vertex.frame.toLocal(vertex.wo);
+    const auto sample = bsdf.sample(wo, uc, u, mode_);
+    if (!sample) return {};
+    const V3f wi = vertex.frame.toWorld(sample->wi);
+    const SurfacePoint& point = vertex.point();
+
+    const float outgoing = vertex.wo.dot(point.ng), incoming = wi.dot(point.ng);
+    if (const Interior* interior = interiorOf(*vertex.surface)) {
+        // Where the shading normal tilts a refraction back to its own side, or a reflection through the surface, the
+        // path would be in a solid that it never entered.
+        if (sample->isTransmission() != (outgoing * incoming < 0)) return {};
+        if (sample->isTransmission()) {
+            if (incoming < 0)
+                interior_.enter(*interior);
+            else
+                interior_.leave(*interior);
+        }
+    }
+    beta *= sample->f * (std::abs(sample->wi.z) / sample->pdf);
+    if (mode_ == TransportMode::Importance) beta *= shadingNormalCorrection(point, vertex.wo, wi);
+    if (sample->isTransmission()) etaScale *= sqr(sample->eta);
+    if (beta.isBlack()) return {};
+    ray = Ray{offsetOrigin(point, wi), toDouble(wi), infinityD};
+    return Scattered{wi, sample->pdf, sample->isSpecular()};
+}
+
+SampledSpectrum shadowTransmittance(const World& world, const Vertex& vertex, Ray shadow, const V3f& wi,
+                                    const InteriorStack& interior, const SampledWavelengths& lambda) {
+    const V3d start = offsetOrigin(vertex.point(), wi);
+    // A finite shadow ray ends where the light sampler said, wherever it starts.
+    if (std::isfinite(shadow.tMax)) shadow.d += vertex.point().p - start;
+    shadow.o = start;
+
+    InteriorStack solids = interior;
+    const Interior* own = interiorOf(*vertex.surface);
+    if (own && wi.dot(vertex.point().ng) * vertex.wo.dot(vertex.point().ng) < 0) {
+        if (wi.dot(vertex.point().ng) < 0)
+            solids.enter(*own);
+        else
+            solids.leave(*own);
+    }
+    const double length = shadow.d.length();
+    if (!world.hasNestedDielectrics) {
+        if (world.caster->occluded(shadow)) return SampledSpectrum(0.f);
+        return solids.empty() ? SampledSpectrum(1.f) : transmittance(solids.current(), shadow.tMax * length, lambda);
+    }
+
+    SampledSpectrum result(1.f);
+    for (int i = 0; i < maxPasses; ++i) {
+        CasterHit hit;
+        const bool met = world.caster->intersect(shadow, hit);
+        result *= transmittance(solids.current(), (met ? hit.s : shadow.tMax) * length, lambda);
+        if (!met) return result;
+        const Surface& surface = world.surfaces[hit.id];
+        const Interior* solid = interiorOf(surface);
+        const bool isInterface = !surface.material || surface.material->isInterface();
+        const bool entering = wi.dot(hit.point.ng) < 0;
+        const bool overruled = solid && !solids.crossing(*solid, entering).isReal;
+        if (!isInterface && !overruled) break;
+        if (solid) {
+            if (entering)
+                solids.enter(*solid);
+            else
+                solids.leave(*solid);
+        }
+        shadow.o = offsetOrigin(hit.point, wi);
+        shadow.tMax -= hit.s;
+    }
+    return SampledSpectrum(0.f);
+}
+
+} // namespace vitrine

@@ -1,0 +1,40 @@
+// What a path travels through: surfaces with materials, lights, the camera.
+#pragma once
+
+#include "accel/caster.h"
+#include "bsdfs/material.h"
+#include "cameras/camera.h"
+#include "lights/light_sampler.h"
+#include "paths/interior_stack.h"
+
+namespace vitrine {
+
+/// A surface by the number the caster reports (CasterShape::id).
+struct Surface {
+    MaterialPtr material;
+    const AreaLight* light = nullptr;
+};
+
+/// Everything that integrators read. Immutable once prepared; shared by all threads.
+struct World {
+    std::unique_ptr<const Caster> caster;
+    std::vector<Surface> surfaces;
+    LightSampler lights;
+    std::vector<const Light*> infiniteLights;
+    std::unique_ptr<const Camera> camera;
+
+    /// Solids that the camera stands in.
+    InteriorStack cameraInterior;
+    /// Whether any solid has a priority: then surfaces may be overruled, and shadow rays must be walked.
+    bool hasNestedDielectrics = false;
+    /// Whether any solid absorbs: then shadow rays inside solids are attenuated.
+    bool hasAbsorption = false;
+
+    /// Fills the derived members from the others: infinite lights, flags, the camera's interior.
+    void prepare();
+};
+
+/// The solids around a point, found by following a ray from far outside to it: solids entered less solids left.
+InteriorStack interiorAt(const World& world, const V3d& p);
+
+} // namespace vitrine
