@@ -23,9 +23,14 @@ struct SamplerSettings {
     bool jitter = true;
 };
 
-/// The numbers of one sample of one pixel, handed out in a fixed order of dimensions.
+/// \throws std::invalid_argument unless the strata are at least one and at most 2^24 in all.
+void checkSamplerSettings(const SamplerSettings& settings);
+
+/// The numbers of one sample of one pixel, handed out in a fixed order of dimensions. Multiples of 2^-24, made by
+/// integer arithmetic alone, so the same on every machine.
 class SampleStream {
   public:
+    /// \param settings as checkSamplerSettings wants them
     SampleStream(const SamplerSettings& settings, const V2i& pixel, std::uint64_t sample);
 
     float get1D();
@@ -34,10 +39,12 @@ class SampleStream {
     void setDimension(std::uint32_t dimension) { dimension_ = dimension; }
 
   private:
-    const SamplerSettings* settings_;
-    std::uint64_t key_;    ///< of (seed, pixel); for Independent also of the sample
-    std::uint64_t sample_;
+    std::uint64_t key_;       ///< of (seed, pixel); for Independent also of the sample
+    std::uint32_t index_ = 0; ///< Stratified: sample within the strata; Sobol: sample with its 32 bits reversed
     std::uint32_t dimension_ = 0;
+    std::uint32_t xStrata_, yStrata_;
+    SamplerKind kind_;
+    bool jitter_;
 };
 
 } // namespace vitrine
