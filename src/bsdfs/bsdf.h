@@ -15,11 +15,26 @@ namespace vitrine {
 /// away from the surface. Values are per steradian without the cosine. Delta lobes: f and pdf are 0, sample gives
 /// f = (Fresnel) / |cos wi| and pdf = the lobe's probability, as in pbrt-v4.
 class Bsdf {
+    template <class F>
+    decltype(auto) visit(F&& f) const {
+        // A switch: std::visit's table of functions keeps the compiler from inlining the hot cases.
+        switch (bsdf_.index()) {
+        case 0:
+            return f(*std::get_if<0>(&bsdf_));
+        case 1:
+            return f(*std::get_if<1>(&bsdf_));
+        case 2:
+            return f(*std::get_if<2>(&bsdf_));
+        default:
+            return f(*std::get_if<3>(&bsdf_));
+        }
+    }
+
   public:
     using Variant = std::variant<DiffuseBsdf, ConductorBsdf, DielectricBsdf, ThinDielectricBsdf>;
 
     template <class B>
-    Bsdf(const B& bsdf) : bsdf_(bsdf) {}
+    requires std::is_constructible_v<Variant, const B&> Bsdf(const B& bsdf) : bsdf_(bsdf) {}
 
     /// Which kinds of lobe there are.
     unsigned lobes() const {
@@ -44,17 +59,6 @@ class Bsdf {
     }
 
   private:
-    template <class F>
-    decltype(auto) visit(F&& f) const {
-        // A switch: std::visit's table of functions keeps the compiler from inlining the hot cases.
-        switch (bsdf_.index()) {
-        case 0: return f(*std::get_if<0>(&bsdf_));
-        case 1: return f(*std::get_if<1>(&bsdf_));
-        case 2: return f(*std::get_if<2>(&bsdf_));
-        default: return f(*std::get_if<3>(&bsdf_));
-        }
-    }
-
     Variant bsdf_;
 };
 

@@ -28,4 +28,13 @@ struct BsdfSample {
     bool isSpecular() const { return lobes & lobe::specular; }
 };
 
+/// Directions closer to the surface than this scatter nothing. It lies far below the rounding of a cosine, and keeps
+/// 1/cos, and products of two of them with any density, finite.
+inline constexpr float minCosine = 1e-18f;
+
+/// Whether w lies in the surface (or is not a number).
+inline bool inSurface(const V3f& w) {
+    return !(std::abs(w.z) >= minCosine);
+}
+
 } // namespace vitrine

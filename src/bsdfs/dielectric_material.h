@@ -1,0 +1,35 @@
+// Material "dielectric": glass, water and other solids that let light through.
+//
+// | name           | type     | unit         | default   | meaning |
+// |----------------|----------|--------------|-----------|-----------------------------------------------------------------|
+// | eta            | spectrum | 1            | 1.5       | index of refraction; one that varies with wavelength
+// disperses  | | absorption     | spectrum | 1/scene unit | 0         | light loses exp(-absorption x distance) inside
+// (Beer-Lambert)   | | priority       | integer  |              | none      | where solids overlap the one of higher
+// priority is there        | | roughness      | float    | 1            | 0         | spread of the facets in both
+// directions; 0 is polished          | | uroughness     | float    | 1            | roughness | along u | | vroughness
+// | float    | 1            | roughness | along v                                                         | |
+// remaproughness | bool     |              | true      | facet slope alpha is sqrt(roughness); false: it is the
+// roughness |
+#pragma once
+
+#include "bsdfs/material.h"
+
+namespace vitrine {
+
+class DielectricMaterial final : public Material {
+  public:
+    /// A null eta is 1.5.
+    /// \throws std::invalid_argument for negative or non-finite values, or an index that is 0.
+    explicit DielectricMaterial(Interior interior = {}, float uroughness = 0, float vroughness = 0,
+                                bool remaproughness = true);
+
+    /// Of the index relative to what lies outside; without a priority what lies outside counts as air (as pbrt-v4).
+    Bsdf bsdf(const MaterialPoint& point, SampledWavelengths& lambda) const override;
+    const Interior* interior() const override { return &interior_; }
+
+  private:
+    Interior interior_;
+    TrowbridgeReitz facets_;
+};
+
+} // namespace vitrine
