@@ -1,0 +1,71 @@
+#include "cameras/orthographic.h"
+
+namespace vitrine {
+
+namespace {
+
+constexpr double parallelTolerance = 1e-6;
+
+} // namespace
+
+OrthographicCamera::OrthographicCamera(const Transform& worldFromCamera, const V2i& resolution,
+                                       const Settings& settings)
+    : projection_(project(worldFromCamera, resolution, settings)) {}
+
+std::variant<OrthographicCamera::Parallel, ThinLens>
+OrthographicCamera::project(const Transform& worldFromCamera, const V2i& resolution, const Settings& settings) {
+    checkLens(settings.lensRadius, settings.focalDistance);
+    const CameraSpace space(worldFromCamera);
+    if (settings.lensRadius == 0) return Parallel{space, RasterWindow(resolution, settings.window, 1)};
+    return ThinLens(space, RasterWindow(resolution, settings.window, 1 / settings.focalDistance), settings.lensRadius,
+                    settings.focalDistance);
+}
+
+std::optional<CameraRay> OrthographicCamera::generate(const CameraSample& sample) const {
+    if (const auto* lens = std::get_if<ThinLens>(&projection_)) return lens->generate(sample);
+    const auto& parallel = std::get<Parallel>(projection_);
+    const V2d film = parallel.window.planeFromRaster(sample.raster);
+    return CameraRay{parallel.space.toWorld(V3d(film.x, film.y, 0), V3d(0, 0, 1)), 1};
+}
+
+Camera::Density OrthographicCamera::Parallel::densityAt(const V3d& cameraPoint) const {
+    Density result;
+    result.raster = window.rasterFromPlane(V2d(cameraPoint.x, cameraPoint.y));
+    if (!window.contains(result.raster)) return {};
+    const double position = 1 / (window.area() * space.planeArea());
+    result.position = float(position);
+    result.direction = 1;
+    const V3d axis = space.toWorld(V3d(0, 0, 0), V3d(0, 0, 1)).d;
+    result.we = float(position / space.cosine(axis));
+    return result;
+}
+
+Camera::Density OrthographicCamera::density(const Ray& ray) const {
+    if (const auto* lens = std::get_if<ThinLens>(&projection_)) return lens->density(ray);
+    const auto& parallel = std::get<Parallel>(projection_);
+    const V3d d = parallel.space.directionToCamera(ray.d);
+    if (!(d.z > 0) || sqr(d.x) + sqr(d.y) > sqr(parallelTolerance)) return {};
+    return parallel.densityAt(parallel.space.pointToCamera(ray.o));
+}
+
+std::optional<CameraConnection> OrthographicCamera::connect(const V3d& p, const V2f& u) const {
+    if (const auto* lens = std::get_if<ThinLens>(&projection_)) return lens->connect(p, u);
+    const auto& parallel = std::get<Parallel>(projection_);
+    const V3d inCamera = parallel.space.pointToCamera(p);
+    const Density seen = parallel.densityAt(inCamera);
+    if (!(inCamera.z > 0) || !(seen.we > 0)) return {};
+    CameraConnection result;
+    result.wi = toFloat(-parallel.space.toWorld(V3d(0, 0, 0), V3d(0, 0, 1)).d);
+    result.pLens = parallel.space.pointToWorld(V3d(inCamera.x, inCamera.y, 0));
+    result.raster = seen.raster;
+    result.we = seen.we;
+    result.pdf = 1;
+    return result;
+}
+
+V3d OrthographicCamera::position() const {
+    if (const auto* lens = std::get_if<ThinLens>(&projection_)) return lens->position();
+    return std::get<Parallel>(projection_).space.pointToWorld(V3d(0, 0, 0));
+}
+
+} // namespace vitrine

@@ -1,0 +1,43 @@
+// Camera "spherical".
+#pragma once
+
+#include "cameras/camera.h"
+#include "cameras/camera_space.h"
+
+namespace vitrine {
+
+/// Sees all directions from one point. Camera space's y is up.
+///
+/// | name    | type   | unit | default     | meaning |
+/// |---------|--------|------|-------------|---------|
+/// | mapping | string |      | "equalarea" | "equalarea": the octahedral map of Clarberg 2008, y in the picture's
+/// middle; | |         |        |      |             | "equirectangular": longitude across from +x over +z, latitude
+/// down from +y |
+///
+/// pbrt-v4 also reads and ignores lensradius, focaldistance, frameaspectratio and screenwindow here.
+class SphericalCamera final : public Camera {
+  public:
+    enum class Mapping { EqualArea, Equirectangular };
+
+    /// \throws std::invalid_argument for an empty resolution
+    SphericalCamera(const Transform& worldFromCamera, const V2i& resolution, Mapping mapping);
+
+    std::optional<CameraRay> generate(const CameraSample& sample) const override;
+    /// The position has density 1; the importance has no cosine, as a point has no normal.
+    Density density(const Ray& ray) const override;
+    std::optional<CameraConnection> connect(const V3d& p, const V2f& u) const override;
+    V3d position() const override { return space_.pointToWorld(V3d(0, 0, 0)); }
+
+  private:
+    /// Unit camera direction of a point of the unit square and back; z is up here as in the maps' papers.
+    V3d directionFromSquare(const V2d& uv) const;
+    V2d squareFromDirection(const V3d& d) const;
+    /// Solid angle per area of the unit square.
+    double solidAngleOfSquare(const V3d& d) const;
+
+    CameraSpace space_;
+    V2d resolution_;
+    Mapping mapping_;
+};
+
+} // namespace vitrine
