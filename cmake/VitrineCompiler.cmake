@@ -5,7 +5,7 @@
 add_library(vitrine_flags INTERFACE)
 target_compile_options(vitrine_flags INTERFACE
   -march=${VITRINE_ARCH} -ffp-contract=off -fno-math-errno -fno-trapping-math
-  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wno-psabi)
+  -Wall -Wextra -Wpedantic -Wshadow=local -Wnon-virtual-dtor -Wno-psabi)
 
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 

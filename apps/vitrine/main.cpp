@@ -1,3 +1,65 @@
-int main() {
-    return 0;
+// vitrine: the command line. Only this folder prints and exits.
+//
+// Exit codes: 0 done; 1 the scene or an argument is wrong; 2 could not read or write; 3 stopped by a signal, what was
+// computed is saved; 4 out of memory or an internal fault.
+#include "commands.h"
+
+#include "core/errors.h"
+
+#include <new>
+
+#include <fmt/format.h>
+
+namespace {
+
+enum ExitCode { done = 0, wrongInput = 1, fileTrouble = 2, outOfMemoryOrFault = 4 };
+
+int fail(ExitCode code, const std::string& message) {
+    fmt::print(stderr, "{}\n", message);
+    return code;
+}
+
+int run(int argc, char** argv) {
+    CLI::App app("Vitrine renders light through glass and off metal.", "vitrine");
+    app.set_version_flag("--version", VITRINE_VERSION);
+    app.require_subcommand(1);
+    app.failure_message(CLI::FailureMessage::help);
+    int exitCode = done;
+    registerRender(app, exitCode);
+    registerInfo(app);
+    registerDiff(app);
+    registerConvert(app);
+    registerMerge(app);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        // Help and version are no errors; everything else that CLI11 finds is a wrong argument.
+        if (e.get_exit_code() == 0) return app.exit(e);
+        fmt::print(stderr, "vitrine: {}\n", e.what());
+        for (const CLI::App* command : app.get_subcommands())
+            fmt::print(stderr, "Run \"vitrine {} --help\" for its arguments.\n", command->get_name());
+        if (app.get_subcommands().empty()) fmt::print(stderr, "Run \"vitrine --help\" for the commands.\n");
+        return wrongInput;
+    }
+    return exitCode;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const vitrine::SceneError& e) {
+        return fail(wrongInput, e.what());
+    } catch (const NotYetSupported& e) {
+        return fail(wrongInput, fmt::format("vitrine: {}", e.what()));
+    } catch (const std::invalid_argument& e) {
+        return fail(wrongInput, fmt::format("vitrine: {}", e.what()));
+    } catch (const vitrine::FileError& e) {
+        return fail(fileTrouble, fmt::format("vitrine: {}", e.what()));
+    } catch (const std::bad_alloc&) {
+        return fail(outOfMemoryOrFault, "vitrine: out of memory");
+    } catch (const std::exception& e) {
+        return fail(outOfMemoryOrFault, fmt::format("vitrine: internal fault: {}", e.what()));
+    }
 }

@@ -85,9 +85,10 @@ class Reader {
 };
 
 void writeFilmSettings(Writer& w, const FilmSettings& s) {
-    w.value(s.resolution);
-    w.value(s.cropMin);
-    w.value(s.cropMax);
+    for (const V2i& v : {s.resolution, s.cropMin, s.cropMax}) {
+        w.value(v.x);
+        w.value(v.y);
+    }
     w.text(s.colorSpace ? s.colorSpace->name() : "srgb");
     w.value(s.maxComponentValue);
     w.value(s.imagingRatio);
@@ -95,9 +96,10 @@ void writeFilmSettings(Writer& w, const FilmSettings& s) {
 
 FilmSettings readFilmSettings(Reader& r, const std::string& path) {
     FilmSettings s;
-    s.resolution = r.value<V2i>();
-    s.cropMin = r.value<V2i>();
-    s.cropMax = r.value<V2i>();
+    for (V2i* v : {&s.resolution, &s.cropMin, &s.cropMax}) {
+        v->x = r.value<int>();
+        v->y = r.value<int>();
+    }
     s.colorSpace = RgbColorSpace::named(r.text());
     s.maxComponentValue = r.value<float>();
     s.imagingRatio = r.value<float>();

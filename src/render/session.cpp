@@ -4,6 +4,7 @@
 #include <mutex>
 #include <thread>
 
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 namespace vitrine {
@@ -80,6 +81,10 @@ SessionEnd Session::run(const SessionOptions& options, const std::function<void(
         return p;
     };
 
+    // More threads than processors are the user's wish: without this, TBB would quietly give fewer.
+    std::optional<tbb::global_control> limit;
+    if (options.threads > 0)
+        limit.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(options.threads));
     tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
     std::uint64_t doneHere = 0;
     double lastCheckpoint = 0;

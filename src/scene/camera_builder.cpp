@@ -1,0 +1,73 @@
+#include "cameras/orthographic.h"
+#include "cameras/perspective.h"
+#include "cameras/spherical.h"
+#include "scene/film_builder.h"
+#include "scene/registry.h"
+
+namespace vitrine {
+
+namespace {
+
+struct CameraInput {
+    const ParameterSet& parameters;
+    const Transform& worldFromCamera;
+    V2i resolution;
+};
+
+ScreenWindow screenWindow(const CameraInput& input) {
+    const ParameterSet& p = input.parameters;
+    const double aspect = p.getFloat("frameaspectratio", double(input.resolution.x) / input.resolution.y);
+    ScreenWindow window = ScreenWindow::ofAspect(aspect);
+    const auto given = p.getFloats("screenwindow");
+    if (given.size() == 4)
+        window = {given[0], given[1], given[2], given[3]};
+    else if (!given.empty())
+        p.error("screenwindow", "\"screenwindow\" takes four values: xmin xmax ymin ymax");
+    return window;
+}
+
+std::unique_ptr<Camera> perspective(const CameraInput& input) {
+    const ParameterSet& p = input.parameters;
+    PerspectiveCamera::Settings s;
+    s.window = screenWindow(input);
+    s.fov = p.getFloat("fov", 90);
+    s.lensRadius = p.getFloat("lensradius", 0);
+    s.focalDistance = p.getFloat("focaldistance", 1e6);
+    return std::make_unique<PerspectiveCamera>(input.worldFromCamera, input.resolution, s);
+}
+
+std::unique_ptr<Camera> orthographic(const CameraInput& input) {
+    const ParameterSet& p = input.parameters;
+    OrthographicCamera::Settings s;
+    s.window = screenWindow(input);
+    s.lensRadius = p.getFloat("lensradius", 0);
+    s.focalDistance = p.getFloat("focaldistance", 1e6);
+    return std::make_unique<OrthographicCamera>(input.worldFromCamera, input.resolution, s);
+}
+
+std::unique_ptr<Camera> spherical(const CameraInput& input) {
+    const ParameterSet& p = input.parameters;
+    const std::string mapping = p.getChoice("mapping", "equalarea", {"equalarea", "equirectangular"});
+    acceptWithoutEffect(p, {"lensradius", "focaldistance", "frameaspectratio", "screenwindow"}); // as pbrt-v4
+    return std::make_unique<SphericalCamera>(input.worldFromCamera, input.resolution,
+                                             mapping == "equalarea" ? SphericalCamera::Mapping::EqualArea
+                                                                    : SphericalCamera::Mapping::Equirectangular);
+}
+
+using CameraBuilder = std::unique_ptr<Camera> (*)(const CameraInput&);
+constexpr RegistryEntry<CameraBuilder> cameraTypes[] = {
+    {"perspective", perspective}, {"orthographic", orthographic}, {"spherical", spherical}, {"realistic"}};
+
+} // namespace
+
+std::unique_ptr<Camera> buildCamera(BuildContext& context, const FilmSettings& film) {
+    const CameraNode& node = context.nodes().camera;
+    return context.guarded(node, [&] {
+        const auto build = findBuilder<CameraBuilder>(cameraTypes, node, "camera");
+        acceptWithoutEffect(node.parameters, {"shutteropen", "shutterclose"}); // the film reads them for exposure
+        const Transform& worldFromCamera = still(context, node.worldFromCamera, node.place);
+        return build({node.parameters, worldFromCamera, film.resolution});
+    });
+}
+
+} // namespace vitrine

@@ -1,0 +1,130 @@
+#include "scene/context.h"
+
+#include "nodes/parser.h"
+#include "nodes/spd.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+namespace vitrine {
+
+namespace {
+
+void recordUnsupported(const ParameterSet& parameters, std::string_view name, std::string_view what) {
+    parameters.error(name, fmt::format("{} \"{}\" is not yet supported", what, name));
+}
+
+SpectrumPtr fromPairs(const std::vector<double>& lambdas, const std::vector<double>& values) {
+    return std::make_shared<PiecewiseLinearSpectrum>(std::vector<float>(lambdas.begin(), lambdas.end()),
+                                                     std::vector<float>(values.begin(), values.end()));
+}
+
+SpectrumPtr fromRgb(const ParameterSet& parameters, std::string_view name, const SpectrumNode& node, SpectrumUse use) {
+    const RgbColorSpace* space = RgbColorSpace::named(node.colorSpace);
+    if (!space) throw SceneError(node.place, fmt::format("unknown colour space \"{}\"", node.colorSpace));
+    const Rgb rgb(float(node.values[0]), float(node.values[1]), float(node.values[2]));
+    switch (use) {
+    case SpectrumUse::Illuminant: return std::make_shared<RgbIlluminantSpectrum>(*space, rgb);
+    case SpectrumUse::Unbounded: return std::make_shared<RgbUnboundedSpectrum>(*space, rgb);
+    case SpectrumUse::Albedo: break;
+    }
+    if (std::max({rgb.x, rgb.y, rgb.z}) > 1)
+        parameters.error(name, fmt::format("\"rgb {}\" is a reflectance: its values must lie in [0, 1]", name));
+    return std::make_shared<RgbAlbedoSpectrum>(*space, rgb);
+}
+
+} // namespace
+
+std::string BuildContext::file(const ParameterSet& parameters, std::string_view name, const std::string& value) {
+    std::string path = resolveFile(nodes_, parameters.place(name), value);
+    files_.insert(path);
+    return path;
+}
+
+SpectrumPtr BuildContext::namedOrFile(const SpectrumNode& node) {
+    auto& spectrum = spectra_[node.text];
+    if (spectrum) return spectrum;
+    if ((spectrum = namedSpectrum(node.text))) return spectrum;
+    const std::string path = resolveFile(nodes_, node.place, node.text);
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) {
+        spectra_.erase(node.text);
+        throw SceneError(node.place, fmt::format("\"{}\" is neither a named spectrum nor a file", node.text),
+                         didYouMean(node.text, namedSpectra()));
+    }
+    const SpdSamples samples = readSpd(path);
+    files_.insert(path);
+    return spectrum = fromPairs(samples.wavelengths, samples.values);
+}
+
+SpectrumPtr findSpectrum(BuildContext& context, const ParameterSet& parameters, std::string_view name,
+                         SpectrumUse use) {
+    if (const auto texture = parameters.findTexture(name)) {
+        parameters.error(name, fmt::format("textures are not yet supported: texture \"{}\" for \"{}\"", *texture, name));
+        return nullptr;
+    }
+    if (use != SpectrumUse::Illuminant && parameters.is(name, ParameterType::Float)) {
+        const auto value = parameters.findFloat(name);
+        return value ? std::make_shared<ConstantSpectrum>(float(*value)) : nullptr;
+    }
+    const auto node = parameters.findSpectrum(name);
+    if (!node) return nullptr;
+    try {
+        switch (node->kind) {
+        case SpectrumNode::Kind::Rgb: return fromRgb(parameters, name, *node, use);
+        case SpectrumNode::Kind::Blackbody: return std::make_shared<BlackbodySpectrum>(float(node->values[0]));
+        case SpectrumNode::Kind::Name: return context.namedOrFile(*node);
+        case SpectrumNode::Kind::Pairs: break;
+        }
+        std::vector<double> lambdas, values;
+        for (std::size_t i = 0; i + 1 < node->values.size(); i += 2) {
+            lambdas.push_back(node->values[i]);
+            values.push_back(node->values[i + 1]);
+        }
+        return fromPairs(lambdas, values);
+    } catch (const std::invalid_argument& e) {
+        parameters.error(name, e.what());
+    } catch (const SceneError& e) {
+        for (const auto& d : e.diagnostics()) context.diagnostics().error(d.place, d.message, d.hint);
+    }
+    return nullptr;
+}
+
+std::optional<float> findFloatTexture(const ParameterSet& parameters, std::string_view name) {
+    if (const auto texture = parameters.findTexture(name)) {
+        parameters.error(name, fmt::format("textures are not yet supported: texture \"{}\" for \"{}\"", *texture, name));
+        return {};
+    }
+    const auto value = parameters.findFloat(name);
+    return value ? std::optional(float(*value)) : std::nullopt;
+}
+
+void refuse(const ParameterSet& parameters, std::initializer_list<std::string_view> names) {
+    for (const auto name : names)
+        if (parameters.has(name)) {
+            acceptWithoutEffect(parameters, {name});
+            recordUnsupported(parameters, name, "parameter");
+        }
+}
+
+void acceptWithoutEffect(const ParameterSet& parameters, std::initializer_list<std::string_view> names) {
+    // Asked for by each of the types that pbrt-v4 has under these names; only the one given matches.
+    for (const auto name : names) {
+        if (parameters.is(name, ParameterType::Integer)) parameters.getIntegers(name);
+        else if (parameters.is(name, ParameterType::Float)) parameters.getFloats(name);
+        else if (parameters.is(name, ParameterType::Bool)) parameters.findBool(name);
+        else if (parameters.is(name, ParameterType::Texture)) parameters.findTexture(name);
+        else if (parameters.is(name, ParameterType::Point3)) parameters.getPoint3s(name);
+        else if (parameters.is(name, ParameterType::Rgb) || parameters.is(name, ParameterType::Spectrum) ||
+                 parameters.is(name, ParameterType::Blackbody)) parameters.findSpectrum(name);
+        else parameters.getStrings(name);
+    }
+}
+
+const Transform& still(BuildContext& context, const MovingTransformPtr& transform, const Place& place) {
+    if (transform->isMoving()) context.diagnostics().error(place, "animated transformations are not yet supported");
+    return transform->start;
+}
+
+} // namespace vitrine

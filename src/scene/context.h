@@ -1,0 +1,77 @@
+// What all builders share while a scene's nodes are turned into objects.
+#pragma once
+
+#include "nodes/nodes.h"
+#include "spectrum/colorspace.h"
+
+#include <set>
+
+namespace vitrine {
+
+/// Building never stops at the first error: a builder records what is wrong and the next one goes on.
+class BuildContext {
+  public:
+    BuildContext(const SceneNodes& nodes, Diagnostics& diagnostics) : nodes_(nodes), diagnostics_(diagnostics) {}
+
+    const SceneNodes& nodes() const { return nodes_; }
+    Diagnostics& diagnostics() { return diagnostics_; }
+
+    /// Runs `build()` for a node, turns what it throws into diagnostics at the node's place, and reports unread
+    /// parameters. Empty (value-initialised) result after an error.
+    template <class Build>
+    auto guarded(const Node& node, Build&& build) -> decltype(build()) {
+        decltype(build()) result{};
+        bool finished = false;
+        try {
+            result = build();
+            finished = true;
+        } catch (const SceneError& e) {
+            for (const auto& d : e.diagnostics()) diagnostics_.error(d.place, d.message, d.hint);
+        } catch (const std::invalid_argument& e) {
+            diagnostics_.error(node.place, e.what());
+        } catch (const std::domain_error& e) {
+            diagnostics_.error(node.place, e.what());
+        }
+        // After a failure not everything has been asked for: unread parameters would be false alarms.
+        if (finished)
+            node.parameters.report(diagnostics_);
+        else
+            node.parameters.reportErrors(diagnostics_);
+        return result;
+    }
+
+    /// Where the file named by a parameter lies; remembers it as one that the picture depends on.
+    std::string file(const ParameterSet& parameters, std::string_view name, const std::string& value);
+    /// Files besides scene texts that were read.
+    const std::set<std::string>& files() const { return files_; }
+
+    /// Named spectra and .spd files are shared.
+    SpectrumPtr namedOrFile(const SpectrumNode& node);
+
+  private:
+    const SceneNodes& nodes_;
+    Diagnostics& diagnostics_;
+    std::set<std::string> files_;
+    std::map<std::string, SpectrumPtr> spectra_;
+};
+
+/// What a spectrum parameter stands for decides how an RGB triple becomes a spectrum (pbrt-v4's SpectrumType).
+enum class SpectrumUse { Albedo, Unbounded, Illuminant };
+
+/// The spectrum of a parameter; null when it is not given or wrong (then recorded). A single float is allowed for Albedo
+/// and Unbounded where pbrt-v4 takes one for a texture's constant.
+SpectrumPtr findSpectrum(BuildContext& context, const ParameterSet& parameters, std::string_view name, SpectrumUse use);
+
+/// A float parameter that pbrt-v4 lets be a texture.
+std::optional<float> findFloatTexture(const ParameterSet& parameters, std::string_view name);
+
+/// Says that a parameter is valid in pbrt-v4 but not yet supported, if it is given (whatever its type).
+void refuse(const ParameterSet& parameters, std::initializer_list<std::string_view> names);
+
+/// Parameters that change nothing here by design: read so that they are no error.
+void acceptWithoutEffect(const ParameterSet& parameters, std::initializer_list<std::string_view> names);
+
+/// The transformation of a node that must not move. Records an error when it does.
+const Transform& still(BuildContext& context, const MovingTransformPtr& transform, const Place& place);
+
+} // namespace vitrine

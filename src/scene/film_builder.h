@@ -1,0 +1,26 @@
+// Film, filter, sampler and camera nodes -> settings and objects.
+#pragma once
+
+#include "cameras/camera.h"
+#include "core/sampler.h"
+#include "film/film.h"
+#include "scene/context.h"
+#include "scene/overrides.h"
+
+namespace vitrine {
+
+struct FilmPlan {
+    FilmSettings settings;
+    std::string fileName; ///< as the scene gives it; empty: not given
+};
+FilmPlan buildFilm(BuildContext& context, const Overrides& overrides);
+
+struct SamplerPlan {
+    SamplerSettings settings;
+    std::uint64_t samplesPerPixel = 16;
+};
+SamplerPlan buildSampler(BuildContext& context, const Overrides& overrides);
+
+std::unique_ptr<Camera> buildCamera(BuildContext& context, const FilmSettings& film);
+
+} // namespace vitrine

@@ -1,0 +1,155 @@
+#include "scene/scene.h"
+
+#include "core/random.h"
+#include "nodes/parser.h"
+#include "scene/film_builder.h"
+#include "scene/integrator_builder.h"
+#include "scene/world_builder.h"
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include <fmt/format.h>
+
+namespace vitrine {
+
+namespace {
+
+/// A hash of everything that the picture depends on.
+class Fingerprint {
+  public:
+    void add(std::string_view text) {
+        for (const char c : text) value_ = (value_ ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
+        value_ = mixBits(value_ + goldenGamma + text.size());
+    }
+    void addFile(const std::string& path) {
+        std::ifstream in(path, std::ios::binary);
+        std::vector<char> block(1 << 20);
+        while (in.read(block.data(), std::streamsize(block.size())) || in.gcount() > 0) {
+            const auto size = std::size_t(in.gcount());
+            std::uint64_t word = 0;
+            for (std::size_t i = 0; i < size; i += sizeof word) {
+                word = 0;
+                std::memcpy(&word, block.data() + i, std::min(sizeof word, size - i));
+                value_ = mixBits(value_ ^ word) + goldenGamma;
+            }
+        }
+    }
+    std::uint64_t value() const { return value_; }
+
+  private:
+    std::uint64_t value_ = 0xcbf29ce484222325ull;
+};
+
+/// `--set` parameters go to whichever of integrator, film and sampler read them.
+struct Settings {
+    std::vector<ParameterPtr> parameters;
+
+    void addTo(SceneNodes& nodes) const {
+        for (const auto& p : parameters)
+            for (Node* node : {&nodes.integrator, &nodes.film, &nodes.sampler}) node->parameters.addOverride(p);
+    }
+    void checkRead(const SceneNodes& nodes, Diagnostics& diagnostics) const {
+        std::vector<std::string> known;
+        for (const Node* node : {&nodes.integrator, &nodes.film, &nodes.sampler})
+            for (const auto& name : node->parameters.askedNames()) known.push_back(name);
+        for (const auto& p : parameters)
+            if (std::find(known.begin(), known.end(), p->name) == known.end())
+                diagnostics.error(p->place,
+                                  fmt::format("no integrator, film or sampler parameter is called \"{}\"", p->name),
+                                  didYouMean(p->name, known));
+    }
+};
+
+void count(const SceneNodes& nodes, Scene& scene) {
+    const auto countShapes = [&](const std::vector<ShapeNode>& shapes) {
+        for (const auto& shape : shapes) {
+            ++scene.shapeTypes[shape.type];
+            if (shape.areaLight >= 0) ++scene.lightTypes["area"];
+        }
+    };
+    countShapes(nodes.shapes);
+    for (const auto& object : nodes.objects) countShapes(object.shapes);
+    for (const auto& light : nodes.lights) ++scene.lightTypes[light.type];
+    for (const auto& material : nodes.materials)
+        if (material.place) ++scene.materialTypes[material.type];
+    scene.instances = nodes.instances.size();
+    scene.cameraType = nodes.camera.type;
+    scene.samplerType = nodes.sampler.type;
+}
+
+void describe(const SceneNodes& nodes, Scene& scene) {
+    const FilmSettings& film = scene.film;
+    scene.metadata.fullResolution = film.resolution;
+    scene.metadata.offset = film.cropMin;
+    // pbrt-v4's attributes hold camera-from-world, column vectors; Imath's row vectors are that matrix transposed twice.
+    scene.metadata.matrices["worldToCamera"] = nodes.camera.worldFromCamera->start.inverse().matrix();
+}
+
+std::string defaultOutput(const std::string& sceneName) {
+    std::filesystem::path name = std::filesystem::path(sceneName).filename();
+    while (name.has_extension()) name = name.stem();
+    return (name.empty() || name == "-" ? "vitrine" : name.string()) + ".exr";
+}
+
+Scene buildScene(SceneNodes nodes, const Overrides& overrides) {
+    Scene scene;
+    scene.name = nodes.name;
+    Settings settings;
+    for (const auto& text : overrides.settings) settings.parameters.push_back(parseSetting(text));
+    settings.addTo(nodes);
+
+    Diagnostics diagnostics;
+    for (const auto& warning : nodes.warnings) diagnostics.warning(warning.place, warning.message, warning.hint);
+    BuildContext context(nodes, diagnostics);
+    const FilmPlan film = buildFilm(context, overrides);
+    const SamplerPlan sampler = buildSampler(context, overrides);
+    scene.film = film.settings;
+    scene.samplesPerPixel = sampler.samplesPerPixel;
+    scene.integrator = buildIntegrator(context, overrides, sampler.settings);
+    scene.integratorType = overrides.integrator.empty() ? nodes.integrator.type : overrides.integrator;
+    // Without a film there is no aspect for the camera: its error is the one to show.
+    std::unique_ptr<Camera> camera;
+    if (scene.film.resolution.x > 0 && scene.film.resolution.y > 0) camera = buildCamera(context, scene.film);
+    scene.world = buildWorld(context);
+    settings.checkRead(nodes, diagnostics);
+    diagnostics.throwIfErrors();
+
+    scene.world.camera = std::move(camera);
+    scene.world.prepare();
+    scene.outputFile = film.fileName.empty() ? defaultOutput(nodes.name) : film.fileName;
+    for (const auto& d : diagnostics.all()) scene.warnings.push_back(d);
+    count(nodes, scene);
+    describe(nodes, scene);
+
+    Fingerprint fingerprint;
+    for (const auto& source : nodes.sources) {
+        fingerprint.add(source->text);
+        scene.files.push_back(source->name);
+    }
+    for (const auto& file : context.files()) {
+        fingerprint.addFile(file);
+        scene.files.push_back(file);
+    }
+    // Not the number of samples: a checkpoint may go on to more.
+    for (const auto& text : overrides.settings) fingerprint.add(text);
+    fingerprint.add(fmt::format("{} {} {} {} {} {} {}", scene.integratorType, sampler.settings.seed,
+                                int(sampler.settings.kind), scene.film.resolution.x, scene.film.resolution.y,
+                                scene.film.cropMin.x, scene.film.cropMin.y));
+    scene.fingerprint = fingerprint.value();
+    return scene;
+}
+
+} // namespace
+
+Scene loadScene(const std::string& file, const Overrides& overrides) {
+    return buildScene(parseSceneFile(file), overrides);
+}
+
+Scene loadSceneString(const std::string& text, const std::string& name, const Overrides& overrides,
+                      const std::string& baseDirectory) {
+    return buildScene(parseSceneString(text, name, baseDirectory), overrides);
+}
+
+} // namespace vitrine

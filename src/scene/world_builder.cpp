@@ -1,0 +1,95 @@
+#include "scene/world_builder.h"
+
+#include <fmt/format.h>
+
+namespace vitrine {
+
+namespace {
+
+class WorldBuilder {
+  public:
+    explicit WorldBuilder(BuildContext& context) : context_(context) {}
+
+    World build() {
+        refuseMedia();
+        buildMaterials();
+        for (const auto& node : context_.nodes().shapes) addShape(node, input_.shapes, true);
+        for (const auto& object : context_.nodes().objects) {
+            auto& group = input_.groups.emplace_back();
+            for (const auto& node : object.shapes) addShape(node, group, false);
+        }
+        for (const auto& instance : context_.nodes().instances)
+            input_.instances.push_back({std::uint32_t(instance.object),
+                                        still(context_, instance.worldFromInstance, instance.place)});
+        for (const auto& node : context_.nodes().lights)
+            if (auto light = buildLight(context_, node)) lights_.push_back(std::move(light));
+
+        // A scene that is wrong is never rendered: no need to build the tree.
+        if (context_.diagnostics().hasErrors()) return {};
+        world_.caster = makeEmbreeCaster(std::move(input_));
+        placeLights();
+        world_.lights = LightSampler(std::move(lights_));
+        return std::move(world_);
+    }
+
+  private:
+    void refuseMedia() {
+        for (const auto& medium : context_.nodes().media)
+            context_.diagnostics().error(medium.place, "participating media are not yet supported");
+    }
+
+    void buildMaterials() {
+        for (const auto& node : context_.nodes().materials) materials_.push_back(buildMaterial(context_, node));
+    }
+
+    void addShape(const ShapeNode& node, std::vector<CasterShape>& to, bool mayShine) {
+        const auto shapes = buildShape(context_, node);
+        const MaterialPtr& material = materials_[std::size_t(node.material)];
+        warnOfOpenGlass(node, shapes, material);
+        std::vector<std::shared_ptr<AreaLight>> lights;
+        if (node.areaLight >= 0) {
+            if (mayShine)
+                lights = buildAreaLights(context_, context_.nodes().areaLights[std::size_t(node.areaLight)], shapes);
+            else
+                context_.diagnostics().error(node.place, "area lights in object definitions are not yet supported");
+        }
+        for (std::size_t i = 0; i < shapes.size(); ++i) {
+            Surface surface{material, i < lights.size() ? lights[i].get() : nullptr};
+            if (i < lights.size()) lights_.push_back(lights[i]);
+            to.push_back({shapes[i], std::uint32_t(world_.surfaces.size()), material && !material->isInterface()});
+            world_.surfaces.push_back(std::move(surface));
+        }
+    }
+
+    /// Solids that absorb or are nested need an inside and an outside; a plain interface works without (pbrt's).
+    void warnOfOpenGlass(const ShapeNode& node, const std::vector<ShapePtr>& shapes, const MaterialPtr& material) {
+        const Interior* interior = material ? material->interior() : nullptr;
+        if (!interior || (!interior->priority && !interior->absorption)) return;
+        // A solid may be put together from several open shapes: only a shape that cannot be a part of one is named.
+        for (const auto& shape : shapes)
+            if (shape->kind() == GeometryKind::User && !shape->isClosed())
+                context_.diagnostics().warning(
+                    node.place, fmt::format("this {} is not closed: its dielectric needs other shapes of the same "
+                                            "material to bound a solid", node.type));
+    }
+
+    void placeLights() {
+        Box3d box = world_.caster->bounds();
+        if (box.isEmpty()) box = Box3d(V3d(0, 0, 0), V3d(0, 0, 0));
+        for (const auto& light : lights_) light->preprocess(box.center(), box.size().length() / 2);
+    }
+
+    BuildContext& context_;
+    World world_;
+    CasterInput input_;
+    std::vector<MaterialPtr> materials_;
+    std::vector<LightPtr> lights_;
+};
+
+} // namespace
+
+World buildWorld(BuildContext& context) {
+    return WorldBuilder(context).build();
+}
+
+} // namespace vitrine

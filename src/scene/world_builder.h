@@ -1,0 +1,28 @@
+// Shape, material, light and instance nodes -> the world that paths travel through.
+#pragma once
+
+#include "paths/world.h"
+#include "scene/context.h"
+
+namespace vitrine {
+
+/// Everything but the camera. Shapes that are wrong are left out and recorded in the context's diagnostics.
+World buildWorld(BuildContext& context);
+
+// The families, one table each.
+
+/// The shapes of a node: one, or two for a bilinear mesh with planar and curved patches.
+std::vector<ShapePtr> buildShape(BuildContext& context, const ShapeNode& node);
+
+/// Null for an interface. Materials are built once however many shapes have them.
+MaterialPtr buildMaterial(BuildContext& context, const MaterialNode& node);
+
+/// A light of LightSource.
+LightPtr buildLight(BuildContext& context, const LightNode& node);
+
+/// The light of one of the shapes of a node under AreaLightSource `node`; `shapes` are all that the node made, as
+/// `power` is theirs together.
+std::vector<std::shared_ptr<AreaLight>> buildAreaLights(BuildContext& context, const Node& node,
+                                                        const std::vector<ShapePtr>& shapes);
+
+} // namespace vitrine
