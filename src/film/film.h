@@ -3,37 +3,19 @@
 
 #include "core/image.h"
 #include "film/filter.h"
+#include "film/fixed_sum.h"
 #include "spectrum/colorspace.h"
 
-#include <string>
+#include <span>
 
 namespace vitrine {
-
-/// Sums in 64-bit fixed point of resolution 2^-30: adding is associative, so pictures are the same for any grouping of
-/// samples into threads, passes or machines. Sums saturate at +-2^33 and say so (Film::badSamples).
-class FixedSum {
-  public:
-    static constexpr double scale = double(1 << 30);
-    /// Adds x; returns false if the sum saturated (or x is not finite, then nothing is added).
-    bool add(double x);
-    bool add(const FixedSum& other);
-    double value() const { return double(sum_) / scale; }
-    std::int64_t raw() const { return sum_; }
-    static FixedSum fromRaw(std::int64_t raw) {
-        FixedSum s;
-        s.sum_ = raw;
-        return s;
-    }
-
-  private:
-    std::int64_t sum_ = 0;
-};
 
 struct FilmSettings {
     V2i resolution{1280, 720};
     /// Half-open pixel rectangle that is rendered: min (inclusive), max (exclusive).
     V2i cropMin{0, 0}, cropMax{1280, 720};
     const RgbColorSpace* colorSpace = nullptr; ///< null: sRGB
+    /// Samples whose largest sensor value (XYZ x imagingRatio, as pbrt-v4's sensor "cie1931") is above are scaled down.
     float maxComponentValue = infinity;
     float imagingRatio = 1; ///< exposure time x ISO / 100 (pbrt-v4's sensor "cie1931")
     Filter::Settings filter;
@@ -44,7 +26,8 @@ struct FilmSettings {
 /// The picture being made. Different pixels may be added to from different threads at once; one pixel may not.
 class Film {
   public:
-    /// \throws std::invalid_argument for an empty, inverted or absurd rectangle (more than 2^31 pixels)
+    /// \throws std::invalid_argument for an empty, inverted or absurd rectangle (more than 2^31 pixels, or outside the
+    ///         picture), and for limits and ratios that are not positive
     explicit Film(const FilmSettings& settings);
 
     const FilmSettings& settings() const { return settings_; }
@@ -59,8 +42,10 @@ class Film {
 
     /// Linear RGB in the film's colour space, crop window only, 3 channels; 0 where no sample fell.
     Image image() const;
-    /// Mean relMSE estimated from the two half-buffers (design.md's relMSE with b the mean of both); +inf before both
-    /// have samples.
+    /// Mean relMSE of image(), estimated from the two half-buffers: design.md's relMSE with b the mean m of both
+    /// halves. With the halves' means a0, a1 and weights w0, w1, the squared error of m is estimated by (a0 - a1)^2 w0
+    /// w1 / (w0 + w1)^2, whose expectation is m's variance when all samples have one variance. A pixel that lacks a
+    /// half counts as infinite.
     double estimatedRelMse() const;
 
     /// Samples that were NaN or infinite (dropped) and sums that saturated: both zero in a sound render.
@@ -78,8 +63,8 @@ class Film {
 
     FilmSettings settings_;
     Filter filter_;
-    std::vector<FixedSum> sums_;              ///< [pixel][half][r g b weight]
-    std::vector<std::uint32_t> bad_;          ///< per pixel, as no thread shares a pixel with another
+    std::vector<FixedSum> sums_;     ///< [pixel][half][r g b weight]
+    std::vector<std::uint32_t> bad_; ///< per pixel, as no thread shares a pixel with another
 };
 
 } // namespace vitrine

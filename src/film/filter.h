@@ -3,43 +3,60 @@
 
 #include "core/sampling.h"
 
-#include <functional>
+#include <vector>
 
 namespace vitrine {
 
 enum class FilterKind { Box, Gaussian, Mitchell, Sinc, Triangle };
 
-/// A reconstruction filter on [-radius.x, radius.x] x [-radius.y, radius.y] (pixels).
+/// A reconstruction filter on [-radius.x, radius.x] x [-radius.y, radius.y] (pixels), of integral 1. All kinds are
+/// products of a function of x and one of y.
 class Filter {
   public:
     struct Settings {
         FilterKind kind = FilterKind::Gaussian;
-        V2f radius{1.5f, 1.5f};
-        float sigma = 0.5f;           ///< gaussian
-        float b = 1 / 3.f, c = 1 / 3.f; ///< mitchell
-        float tau = 3;                ///< sinc
+        V2f radius{1.5f, 1.5f};         ///< pixels
+        float sigma = 0.5f;             ///< gaussian: standard deviation, pixels; its value at the radius is subtracted
+        float b = 1 / 3.f, c = 1 / 3.f; ///< mitchell (Mitchell & Netravali 1988)
+        float tau = 3;                  ///< sinc: cycles of the inner sinc under the window's main lobe (Lanczos)
+
+        /// The kind with pbrt-v4's defaults: radius 0.5, 1.5, 2, 4, 2 in the order of FilterKind.
+        static Settings defaults(FilterKind kind);
     };
     struct Sample {
         V2f p;        ///< offset from the pixel's centre
-        float weight; ///< value over density; its sign is the filter's
+        float weight; ///< value over density; its sign is the filter's. 1 for filters that are never negative
     };
-    /// \throws std::invalid_argument for radii or parameters that are not positive and finite
+    /// \throws std::invalid_argument for radii, sigma or tau that are not positive and finite, radii above maxRadius,
+    ///         or parameters that make the filter's integral vanish
     explicit Filter(const Settings& settings);
 
+    static constexpr float maxRadius = 1000;
+
+    /// Value at the offset p from the pixel's centre; 0 outside the radius.
     float operator()(const V2f& p) const;
-    /// Integral over the support.
-    float integral() const { return integral_; }
+    /// \param u uniform in the unit square; p grows with u in both coordinates
     Sample sample(const V2f& u) const;
     const Settings& settings() const { return settings_; }
 
   private:
-    float value1D(float x, float radius) const;
+    /// One factor of the product. Gaussian, mitchell and sinc are sampled by cells of about 1/16 pixel (as pbrt-v4
+    /// does) that carry the factor's exact means, so that what is drawn has the filter's own integral.
+    struct Axis {
+        double integral = 1; ///< of the factor before it is scaled to integral 1
+        PiecewiseConstant1D cells;
+        std::vector<float> weights; ///< per cell: sign x integral of |cells| / integral
+    };
+    struct Offset {
+        float x, weight;
+    };
+    Axis makeAxis(double radius) const;
+    double cellIntegral(double begin, double end, double radius) const;
+    double factor(double x, double radius) const;
+    Offset sampleAxis(const Axis& axis, float radius, float u) const;
 
     Settings settings_;
-    float integral_ = 1;
-    PiecewiseConstant2D table_; ///< of |value|, for the filters without a closed inverse
-    std::vector<float> values_; ///< tabulated values, so that weights are exactly value over density
-    int tableWidth_ = 0, tableHeight_ = 0;
+    Axis x_, y_;
 };
 
 } // namespace vitrine

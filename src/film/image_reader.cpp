@@ -1,0 +1,96 @@
+#include "core/errors.h"
+#include "film/imageio.h"
+#include "film/srgb.h"
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace vitrine {
+
+namespace {
+
+/// More than this is no picture but a damaged header (64 GB of floats).
+constexpr std::int64_t maxValues = std::int64_t(1) << 34;
+
+std::string firstLine(const std::string& text) {
+    return text.substr(0, text.find('\n'));
+}
+
+[[noreturn]] void fail(const std::string& path, const std::string& what) {
+    throw FileError(path, "cannot be read: " + (what.empty() ? std::string("damaged, or no image") : firstLine(what)));
+}
+
+void readMetadata(const OIIO::ImageSpec& spec, ImageMetadata& metadata) {
+    metadata = {};
+    metadata.channelNames = spec.channelnames;
+    metadata.fullResolution = V2i(spec.full_width, spec.full_height);
+    metadata.offset = V2i(spec.x - spec.full_x, spec.y - spec.full_y);
+    for (const auto& attribute : spec.extra_attribs) {
+        const std::string name = attribute.name().string();
+        const OIIO::TypeDesc type = attribute.type();
+        const auto* floats = static_cast<const float*>(attribute.data());
+        if (type == OIIO::TypeInt || type == OIIO::TypeFloat) {
+            metadata.numbers[name] = double(attribute.get_float());
+            if (type == OIIO::TypeInt) metadata.numbers[name] = attribute.get_int();
+        } else if (type == OIIO::TypeString) {
+            metadata.strings[name] = attribute.get_string();
+        } else if (type == OIIO::TypeMatrix) {
+            M44d matrix;
+            for (int i = 0; i < 16; ++i)
+                matrix[i / 4][i % 4] = double(floats[i]);
+            metadata.matrices[name] = matrix;
+        } else if (name == "chromaticities" && type == OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8)) {
+            std::copy_n(floats, 8, metadata.chromaticities);
+        }
+    }
+}
+
+/// Integer formats hold the sRGB curve unless the file says otherwise.
+void linearise(Image& image, const OIIO::ImageSpec& spec) {
+    if (spec.format.is_floating_point()) return;
+    if (OIIO::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace"), "linear")) return;
+    const std::size_t channels = std::size_t(image.channels);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        if (int(i % channels) != spec.alpha_channel) image.pixels[i] = float(linearFromSrgb(double(image.pixels[i])));
+}
+
+Image readPixels(const std::string& path, OIIO::ImageInput& input, const OIIO::ImageSpec& spec) {
+    if (spec.deep) fail(path, "deep images are not supported");
+    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.depth > 1)
+        fail(path, "its header makes no sense");
+    const std::string size = fmt::format("{} x {} pixels of {} channels", spec.width, spec.height, spec.nchannels);
+    const auto row = std::int64_t(spec.width) * spec.nchannels;
+    if (row > maxValues / spec.height) fail(path, "its header claims " + size);
+
+    const auto count = std::size_t(row * spec.height);
+    try {
+        // Not a vector, as that would touch all the memory before the file has shown that it holds so much.
+        const std::unique_ptr<float[]> values(new float[count]);
+        if (!input.read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, values.get())) fail(path, input.geterror());
+        return Image{spec.width, spec.height, spec.nchannels, std::vector<float>(values.get(), values.get() + count)};
+    } catch (const std::bad_alloc&) {
+        fail(path, "not enough memory for " + size);
+    }
+}
+
+} // namespace
+
+Image readImage(const std::string& path, ImageMetadata* metadata) {
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) fail(path, "no such file");
+    if (std::filesystem::is_directory(path, error)) fail(path, "is a directory");
+
+    OIIO::ImageSpec config;
+    config.attribute("oiio:UnassociatedAlpha", 1);
+    const auto input = OIIO::ImageInput::open(path, &config);
+    if (!input) fail(path, OIIO::geterror());
+    const OIIO::ImageSpec spec = input->spec();
+    Image image = readPixels(path, *input, spec);
+    linearise(image, spec);
+    if (metadata) readMetadata(spec, *metadata);
+    return image;
+}
+
+} // namespace vitrine
