@@ -104,8 +104,8 @@ struct SceneNodes {
 
     std::vector<Diagnostic> warnings;
 
-    /// Index of a named material (mix refers to them by name), -1 when there is none.
-    int findMaterial(const std::string& materialName) const;
+    /// Index by the name of MakeNamedMaterial: mix refers to materials by name.
+    std::map<std::string, int> namedMaterials;
 };
 
 } // namespace vitrine

@@ -78,6 +78,8 @@ class ParameterSet {
     /// `defaults` are those of the Attribute directive: they come second and may stay unread.
     ParameterSet(ParameterList own, std::shared_ptr<const ParameterList> defaults, std::string colorSpace, Place place);
 
+    void setDefaults(std::shared_ptr<const ParameterList> defaults) { defaults_ = std::move(defaults); }
+
     /// Whether the parameter was given, with any type. Does not count as reading it.
     bool has(std::string_view name) const;
     /// Whether the parameter was given with this type. Does not count as reading it.
@@ -87,11 +89,11 @@ class ParameterSet {
     std::optional<int> findInteger(std::string_view name) const;
     std::optional<bool> findBool(std::string_view name) const;
     std::optional<std::string> findString(std::string_view name) const;
-    std::optional<V2d> findPoint2(std::string_view name) const;
-    std::optional<V2d> findVector2(std::string_view name) const;
-    std::optional<V3d> findPoint3(std::string_view name) const;
-    std::optional<V3d> findVector3(std::string_view name) const;
-    std::optional<V3d> findNormal(std::string_view name) const;
+    std::optional<V2d> findPoint2(std::string_view name) const { return findPair(name, ParameterType::Point2); }
+    std::optional<V2d> findVector2(std::string_view name) const { return findPair(name, ParameterType::Vector2); }
+    std::optional<V3d> findPoint3(std::string_view name) const { return findTriple(name, ParameterType::Point3); }
+    std::optional<V3d> findVector3(std::string_view name) const { return findTriple(name, ParameterType::Vector3); }
+    std::optional<V3d> findNormal(std::string_view name) const { return findTriple(name, ParameterType::Normal); }
 
     double getFloat(std::string_view name, double fallback) const { return findFloat(name).value_or(fallback); }
     int getInteger(std::string_view name, int fallback) const { return findInteger(name).value_or(fallback); }
@@ -177,18 +179,21 @@ class ParameterSet {
         bool read = false;
     };
 
-    Entry* entry(std::string_view name) const;
+    Entry* ownEntry(std::string_view name) const;
     const Parameter* lookUp(std::string_view name) const;
     const Parameter* read(std::string_view name, ParameterType type) const;
-    std::span<const double> readNumbers(std::string_view name, ParameterType type, std::size_t itemSize,
-                                        bool one) const;
-    bool convert(Entry& entry, ParameterType type) const;
-    void record(Place place, std::string message, std::string hint) const;
+    const Parameter* readOne(std::string_view name, ParameterType type) const;
+    void mark(std::string_view name) const;
+    bool checkSpectrum(const SpectrumNode& node, const Parameter& parameter) const;
+    std::optional<V2d> findPair(std::string_view name, ParameterType type) const;
+    std::optional<V3d> findTriple(std::string_view name, ParameterType type) const;
+    std::span<const double> readNumbers(std::string_view name, ParameterType type) const;
+    void record(Place place, std::string message, std::string hint = {}) const;
 
     template <class V>
     std::vector<V> gather(std::string_view name, ParameterType type) const {
         const std::size_t n = V::dimensions();
-        const auto numbers = readNumbers(name, type, n, false);
+        const auto numbers = readNumbers(name, type);
         std::vector<V> items(numbers.size() / n);
         for (std::size_t i = 0; i < items.size(); ++i)
             for (std::size_t k = 0; k < n; ++k)

@@ -1,0 +1,71 @@
+#include "nodes/source.h"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <string_view>
+
+namespace vitrine {
+
+namespace {
+
+struct GzClose {
+    void operator()(gzFile file) const { gzclose(file); }
+};
+using GzHandle = std::unique_ptr<gzFile_s, GzClose>;
+
+/// A device such as /dev/zero never ends; a pipe does.
+void refuseDevices(const std::string& fileName) {
+    std::error_code error;
+    const auto status = std::filesystem::status(fileName, error);
+    if (!std::filesystem::exists(status)) throw FileError(fileName, "no such file");
+    if (std::filesystem::is_directory(status)) throw FileError(fileName, "is a directory");
+    if (!std::filesystem::is_regular_file(status) && !std::filesystem::is_fifo(status))
+        throw FileError(fileName, "is not a regular file");
+}
+
+} // namespace
+
+std::string readWholeFile(const std::string& fileName) {
+    const bool standardInput = fileName == "-";
+    if (!standardInput) refuseDevices(fileName);
+    errno = 0;
+    // zlib hands plain files through as they are.
+    const GzHandle file(standardInput ? gzdopen(0, "rb") : gzopen(fileName.c_str(), "rb"));
+    if (!file) throw FileError(fileName, errno ? std::strerror(errno) : "cannot be opened");
+    constexpr unsigned chunk = 1u << 20;
+    gzbuffer(file.get(), chunk);
+    std::string text;
+    for (;;) {
+        const std::size_t size = text.size();
+        text.resize(size + chunk);
+        const int got = gzread(file.get(), text.data() + size, chunk);
+        text.resize(size + std::size_t(std::max(0, got)));
+        if (got > 0) continue;
+        int code = Z_OK;
+        const char* message = gzerror(file.get(), &code);
+        if (code == Z_ERRNO) throw FileError(fileName, std::strerror(errno));
+        if (code == Z_BUF_ERROR) throw FileError(fileName, "the compressed file is cut off");
+        if (got < 0 || (code != Z_OK && code != Z_STREAM_END)) throw FileError(fileName, message);
+        text.shrink_to_fit();
+        return text;
+    }
+}
+
+void checkIsText(const std::shared_ptr<const SourceFile>& file) {
+    const std::string_view text = file->text;
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+        throw SceneError(Place{file}, "the file is UTF-16", "save it as UTF-8");
+    const std::size_t zero = text.find('\0');
+    if (zero == std::string_view::npos) return;
+    const std::string_view before = text.substr(0, zero);
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t lineStart = before.rfind('\n') + 1;
+    throw SceneError(Place{file, int(line), int(zero - lineStart) + 1}, "a NUL byte: this is not the text of a scene");
+}
+
+} // namespace vitrine
