@@ -28,7 +28,9 @@ bool DielectricBsdf::findFacet(const V3f& wo, const V3f& wi, Facet& facet) const
     if (dotO <= 0 || dotI <= 0) return false;
     facet.cosO = std::min(dotO, 1.f);
     facet.cosI = std::min(dotI, 1.f);
-    facet.reflectance = fresnelDielectric(facet.cosO, facet.eta).reflectance;
+    // Snell's law loses the refracted cosine's digits near the critical angle; the halfway vector has them.
+    facet.reflectance = facet.reflects ? fresnelDielectric(facet.cosO, facet.eta).reflectance
+                                       : fresnelDielectric(facet.cosO, facet.cosI, facet.eta);
     return facet.reflects || facet.cosI != facet.cosO / facet.eta;
 }
 

@@ -11,14 +11,20 @@ struct DielectricFresnel {
     float cosT;        ///< cosine of the refracted ray with the normal, >= 0; 0 at total internal reflection
 };
 
-/// \param cosI cosine on the incident side, in [0, 1] \param eta index of the transmitted over the incident side, > 0
-inline DielectricFresnel fresnelDielectric(float cosI, float eta) {
-    const float sin2T = std::max(0.f, 1 - sqr(cosI)) / sqr(eta);
-    if (sin2T >= 1) return {1, 0};
-    const float cosT = std::sqrt(1 - sin2T);
+/// Reflectance where both cosines are known. \param eta index of the transmitted over the incident side
+inline float fresnelDielectric(float cosI, float cosT, float eta) {
     const float parallel = (eta * cosI - cosT) / (eta * cosI + cosT);
     const float perpendicular = (cosI - eta * cosT) / (cosI + eta * cosT);
-    return {(sqr(parallel) + sqr(perpendicular)) / 2, cosT};
+    return (sqr(parallel) + sqr(perpendicular)) / 2;
+}
+
+/// \param cosI cosine on the incident side, in [0, 1] \param eta index of the transmitted over the incident side, > 0
+inline DielectricFresnel fresnelDielectric(float cosI, float eta) {
+    // Snell's law as (eta cosT)^2 = cosI^2 + eta^2 - 1: exact for matching indices at any angle.
+    const float square = sqr(cosI) + (eta - 1) * (eta + 1);
+    if (square <= 0) return {1, 0};
+    const float cosT = std::sqrt(square) / eta;
+    return {fresnelDielectric(cosI, cosT, eta), cosT};
 }
 
 /// The refraction of w, which points away from a boundary of normal n on its own side.

@@ -12,7 +12,7 @@ constexpr double gaussNodes[gaussPoints] = {-0.9061798459386640, -0.538469310105
 constexpr double gaussWeights[gaussPoints] = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
                                               0.4786286704993665, 0.2369268850561891};
 constexpr double absoluteTolerance = 2e-8, relativeTolerance = 1e-4;
-constexpr int maxDepth = 10;
+constexpr int minDepth = 1, maxDepth = 10; // the least, so that a peak between the first nodes is not missed
 
 using Plane = std::function<double(double, double)>;
 
@@ -34,7 +34,8 @@ double refine(const Plane& f, const V2d& low, const V2d& high, double whole, int
     for (int i = 0; i < 4; ++i)
         sum += parts[i] = gauss(f, lows[i], highs[i]);
     const double tolerance = std::max(absoluteTolerance, relativeTolerance * std::abs(sum));
-    if (std::abs(sum - whole) <= tolerance || depth == maxDepth || !std::isfinite(sum)) return sum;
+    const bool fine = depth >= minDepth && std::abs(sum - whole) <= tolerance;
+    if (fine || depth == maxDepth || !std::isfinite(sum)) return sum;
     sum = 0;
     for (int i = 0; i < 4; ++i)
         sum += refine(f, lows[i], highs[i], parts[i], depth + 1);
@@ -161,9 +162,12 @@ ChiSquaredResult chiSquared(const std::function<std::optional<V2d>(RandomStream&
     return evaluate(cells, result, settings);
 }
 
-V3f direction(double phi, double z) {
-    const double r = safeSqrt(1 - z * z);
-    return V3f(float(r * std::cos(phi)), float(r * std::sin(phi)), float(z));
+/// A density on the sphere as one over (phi, theta).
+Plane overAngles(const SphereDensity& f) {
+    return [&f](double phi, double theta) {
+        const double r = std::sin(theta);
+        return r * f(V3f(float(r * std::cos(phi)), float(r * std::sin(phi)), float(std::cos(theta))));
+    };
 }
 
 } // namespace
@@ -173,12 +177,14 @@ double integrateRectangle(const Plane& f, const V2d& low, const V2d& high) {
 }
 
 double integrateSphere(const SphereDensity& f, int rows, int columns) {
-    const Plane plane = [&](double phi, double z) { return f(direction(phi, z)); };
+    const Plane plane = overAngles(f);
+    const V2d size(2 * piD / columns, piD / rows);
     double sum = 0;
     for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column)
-            sum += integrateRectangle(plane, V2d(2 * piD * column / columns - piD, -1 + 2. * row / rows),
-                                      V2d(2 * piD * (column + 1) / columns - piD, -1 + 2. * (row + 1) / rows));
+        for (int column = 0; column < columns; ++column) {
+            const V2d corner(column * size.x - piD, row * size.y);
+            sum += integrateRectangle(plane, corner, corner + size);
+        }
     return sum;
 }
 
@@ -187,10 +193,9 @@ ChiSquaredResult chiSquaredSphere(const SphereSampler& sample, const SphereDensi
     const auto place = [&](RandomStream& random) -> std::optional<V2d> {
         const std::optional<V3f> w = sample(random);
         if (!w) return {};
-        return V2d(std::atan2(double(w->y), double(w->x)), double(w->z) / toDouble(*w).length());
+        return V2d(std::atan2(double(w->y), double(w->x)), std::atan2(std::hypot(w->x, w->y), double(w->z)));
     };
-    return chiSquared(
-        place, [&](double phi, double z) { return pdf(direction(phi, z)); }, V2d(-piD, -1), V2d(piD, 1), settings);
+    return chiSquared(place, overAngles(pdf), V2d(-piD, 0), V2d(piD, piD), settings);
 }
 
 ChiSquaredResult chiSquaredSquare(const SquareSampler& sample, const SquareDensity& pdf,

@@ -18,8 +18,8 @@ using SphereDensity = std::function<double(const V3f&)>;
 using SquareDensity = std::function<double(const V2f&)>;
 
 struct ChiSquaredSettings {
-    int rows = 16;    ///< bands of equal cos(theta), or along v; even, so that the horizon is no cell's inside
-    int columns = 32; ///< sectors of phi, or along u
+    int rows = 16;                ///< bands of equal theta, or along v; even, so that the horizon is no cell's inside
+    int columns = 32;             ///< sectors of phi, or along u
     std::size_t samples = 100000; ///< drawn, failures included
     double minExpected = 5;       ///< cells that expect fewer are merged (Cochran 1954)
     std::uint64_t seed = 1;
@@ -45,7 +45,7 @@ ChiSquaredResult chiSquaredSquare(const SquareSampler& sample, const SquareDensi
 
 /// Adaptive 5 x 5 Gauss-Legendre quadrature over a rectangle; relative error about 1e-4, absolute 1e-7 or better.
 double integrateRectangle(const std::function<double(double, double)>& f, const V2d& low, const V2d& high);
-/// The integral over the sphere, summed over rows x columns cells of equal solid angle.
+/// The integral over the sphere, summed over rows x columns cells of equal angles.
 double integrateSphere(const SphereDensity& f, int rows = 16, int columns = 32);
 
 /// P(X >= statistic) of a chi-squared variable.
