@@ -105,7 +105,7 @@ void readOverrides(RenderArguments& a) {
 
 /// Finds out before hours of rendering, not after, that a picture could not be written.
 void checkOutput(const std::string& file) {
-    requireKnownExtension(file);
+    checkImageName(file);
     const fs::path folder = fs::absolute(file).parent_path();
     std::error_code ignored;
     if (!fs::is_directory(folder, ignored)) throw FileError(file, "there is no folder " + folder.string());
@@ -205,9 +205,9 @@ int renderOnce(const RenderArguments& a, std::vector<std::string>* watched) {
         interrupted);
     report.finish();
 
-    if (film.badSamples() > 0)
-        fmt::print(stderr, "vitrine: warning: {} samples were not finite or overflowed; they are left out (first at {})\n",
-                   film.badSamples(), film.firstBadPixel());
+    if (const auto bad = film.firstBadPixel())
+        fmt::print(stderr, "vitrine: warning: {} samples were not finite or too large and left out, first in pixel {},{}\n",
+                   film.badSamples(), bad->x, bad->y);
     if (!a.partial.empty()) writePartial(a.partial, state, film);
     ImageMetadata metadata = scene.metadata;
     metadata.numbers["samplesPerPixel"] = double(state.passes.size());

@@ -10,7 +10,7 @@ namespace vitrine {
 
 namespace {
 
-constexpr std::size_t sumsPerHalf = 4, sumsPerPixel = 2 * sumsPerHalf, weightSum = 3;
+constexpr std::size_t sumsPerHalf = Film::sumsPerPixel / 2, weightSum = 3;
 
 FilmSettings checked(FilmSettings s) {
     const V2i size = s.cropSize();
@@ -117,6 +117,13 @@ std::uint64_t Film::badSamples() const {
     for (std::uint32_t n : bad_)
         sum += n;
     return sum;
+}
+
+std::optional<V2i> Film::firstBadPixel() const {
+    const auto found = std::find_if(bad_.begin(), bad_.end(), [](std::uint32_t n) { return n > 0; });
+    if (found == bad_.end()) return {};
+    const int i = int(found - bad_.begin()), width = settings_.cropSize().x;
+    return V2i(settings_.cropMin.x + i % width, settings_.cropMin.y + i / width);
 }
 
 } // namespace vitrine

@@ -6,6 +6,7 @@
 #include "film/fixed_sum.h"
 #include "spectrum/colorspace.h"
 
+#include <optional>
 #include <span>
 
 namespace vitrine {
@@ -26,6 +27,9 @@ struct FilmSettings {
 /// The picture being made. Different pixels may be added to from different threads at once; one pixel may not.
 class Film {
   public:
+    static constexpr std::size_t sumsPerPixel = 8; ///< two halves of r, g, b, weight
+    static constexpr std::size_t bytesPerPixel = sumsPerPixel * sizeof(FixedSum) + sizeof(std::uint32_t);
+
     /// \throws std::invalid_argument for an empty, inverted or absurd rectangle (more than 2^31 pixels, or outside the
     ///         picture), and for limits and ratios that are not positive
     explicit Film(const FilmSettings& settings);
@@ -50,6 +54,8 @@ class Film {
 
     /// Samples that were NaN or infinite (dropped) and sums that saturated: both zero in a sound render.
     std::uint64_t badSamples() const;
+    /// The first pixel that had one, in the full picture's coordinates; empty when none had.
+    std::optional<V2i> firstBadPixel() const;
 
     /// Raw sums for checkpoints: per pixel of the crop window and half: r, g, b, weight.
     std::span<const FixedSum> sums() const { return sums_; }

@@ -102,6 +102,7 @@ SceneNodes SceneReader::finish() {
 }
 
 void SceneReader::readText(const std::shared_ptr<const SourceFile>& file) {
+    nodes_.sources.push_back(file);
     Lexer lexer(file);
     Lexer* const outer = std::exchange(lexer_, &lexer);
     while (!diagnostics_.full() && lexer.peek().kind != Token::Kind::End) {

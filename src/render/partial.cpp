@@ -107,6 +107,17 @@ FilmSettings readFilmSettings(Reader& r, const std::string& path) {
     return s;
 }
 
+/// What a damaged header asks for must not be allocated.
+void checkSize(std::istream& in, const std::string& path, const FilmSettings& settings) {
+    const auto here = in.tellg();
+    in.seekg(0, std::ios::end);
+    const double left = double(in.tellg() - here);
+    in.seekg(here);
+    const V2i size = settings.cropSize();
+    if (double(size.x) * double(size.y) * Film::sumsPerPixel * sizeof(FixedSum) + sizeof(std::uint64_t) != left)
+        throw FileError(path, "the file is cut short or damaged");
+}
+
 } // namespace
 
 void PassSet::add(PassRange range) {
@@ -202,7 +213,9 @@ LoadedPartial readPartial(const std::string& path) {
         }
     }
     try {
-        LoadedPartial loaded{std::move(state), Film(readFilmSettings(r, path))};
+        const FilmSettings settings = readFilmSettings(r, path);
+        checkSize(in, path, settings);
+        LoadedPartial loaded{std::move(state), Film(settings)};
         r.bytes(loaded.film.sums().data(), loaded.film.sums().size_bytes());
         const std::uint64_t expected = r.checksum();
         std::uint64_t stored;
