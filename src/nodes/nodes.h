@@ -103,6 +103,7 @@ struct SceneNodes {
     std::vector<InstanceNode> instances;
 
     std::vector<Diagnostic> warnings;
+    std::vector<std::shared_ptr<const SourceFile>> sources; ///< every text that was read, in order
 
     /// Index by the name of MakeNamedMaterial: mix refers to materials by name.
     std::map<std::string, int> namedMaterials;

@@ -119,8 +119,9 @@ Shapes revolution(const ShapeInput& in) {
     refuse(p, {"path", "filename", "id"});
     const std::vector<V2d> points = p.getPoint2s("P");
     if (points.empty()) throw SceneError(p.place("P"), "a revolution needs its profile: \"point2 P\"");
-    return {std::make_shared<Revolution>(in.worldFromObject, in.reverse, points,
-                                         p.getInteger("degree", int(points.size()) - 1), p.getFloat("phimax", 360))};
+    return {std::make_shared<Revolution>(in.worldFromObject, in.reverse,
+                                         Profile(points, p.getInteger("degree", int(points.size()) - 1)),
+                                         p.getFloat("phimax", 360))};
 }
 
 using ShapeBuilder = Shapes (*)(const ShapeInput&);
