@@ -3,45 +3,62 @@
 
 #include "spectrum/spectrum.h"
 
-#include <ImathMatrix.h>
+#include <array>
 
 namespace vitrine {
 
 using Xyz = V3f;
 using Rgb = V3f;
 
-/// sigmoid(c0 lambda^2 + c1 lambda + c2), eq. 3 and 4 of the paper, lambda in nm.
+/// sigmoid(c0 lambda^2 + c1 lambda + c2), eq. 3 and 4 of the paper, lambda in nm. c2 may be infinite: exactly 0 or 1.
 struct SigmoidPolynomial {
     float c0 = 0, c1 = 0, c2 = 0;
 
+    /// 1/2 + x / (2 sqrt(1 + x^2)), by way of the smaller of it and its complement: 1 / (2 r (r + |x|)), r = sqrt(1 + x^2),
+    /// has no cancellation for dark colours and goes to 0 by itself when x does to infinity.
     static float sigmoid(float x) {
-        if (std::isinf(x)) return x > 0 ? 1.f : 0.f;
-        return 0.5f + x / (2 * std::sqrt(1 + x * x));
+        const float r = std::sqrt(1 + x * x);
+        const float tail = 0.5f / (r * (r + std::abs(x)));
+        return x < 0 ? tail : 1 - tail;
     }
     float operator()(float lambda) const { return sigmoid((c0 * lambda + c1) * lambda + c2); }
-    SampledSpectrum sample(const SampledWavelengths& lambda) const;
+    SampledSpectrum sample(const SampledWavelengths& lambda) const {
+        using Lanes = SampledSpectrum::Lanes;
+        const Lanes l = lambda.lambda().lanes(), zero{};
+        const Lanes x = (c0 * l + c1) * l + c2;
+        Lanes r = 1 + x * x;
+        for (int i = 0; i < spectrumSamples; ++i)
+            r[i] = std::sqrt(r[i]);
+        const Lanes tail = 0.5f / (r * (r + (x < zero ? -x : x)));
+        return SampledSpectrum(x < zero ? tail : 1 - tail);
+    }
+    /// The largest value over [360, 830] nm.
     float maxValue() const;
 };
 
 /// Primaries, white point and the uplift of one RGB colour space.
 class RgbColorSpace {
   public:
-    /// "srgb", "rec2020", "aces2065-1", "dci-p3" (pbrt-v4's names); null for another.
+    /// "srgb", "rec2020", "aces2065-1", "dci-p3" (pbrt-v4's names, in any case); null for another.
     static const RgbColorSpace* named(std::string_view name);
     static const RgbColorSpace& srgb();
 
     Rgb fromXyz(const Xyz& xyz) const;
     Xyz toXyz(const Rgb& rgb) const;
-    /// Coefficients of the reflectance spectrum of rgb, components in [0,1] (clamped).
+    /// Coefficients of the reflectance spectrum of rgb, components in [0,1] (clamped): from a table for sRGB (some 30 ns),
+    /// by optimisation for the others (some 10 us; colours that no reflectance has get the nearest in CIELAB).
     SigmoidPolynomial sigmoid(const Rgb& rgb) const;
-    /// White point as a spectrum, as pbrt-v4 scales it.
+    /// White point as a spectrum of luminance 1 (integral with cieY = cieYIntegral), as pbrt-v4.
     const DenseSpectrum& illuminant() const;
     const std::string& name() const;
+    /// CIE xy of red, green, blue and white.
+    const std::array<V2f, 4>& chromaticities() const;
 
     struct Data;
 
   private:
-    explicit RgbColorSpace(const Data* data) : data_(data) {}
+    explicit RgbColorSpace(const Data& data) : data_(&data) {}
+    friend struct RgbColorSpaces;
     const Data* data_;
 };
 
@@ -89,10 +106,16 @@ class RgbIlluminantSpectrum final : public Spectrum {
     const DenseSpectrum* illuminant_;
 };
 
-/// Luminance integral that pbrt-v4 divides lights by (SpectrumToPhotometric): of the illuminant alone for an RGB light.
+/// What pbrt-v4 divides lights by (its SpectrumToPhotometric): the integral with cieY; for an RGB light that of its
+/// illuminant alone, cieYIntegral, so that the RGB scales the light. A ScaledSpectrum keeps its factor.
+///
+/// The convention of radiance throughout: lights emit L(lambda) = scale * spectrum / photometric(spectrum), and
+/// sensorXyz() integrates with the matching functions without 1/cieYIntegral. A light of `rgb L [80 80 80]` or of a named
+/// illuminant times 80 then has luminance 80, and the former shows as 80, 80, 80 in its own colour space.
 float photometric(const Spectrum& spectrum);
 
-/// XYZ of radiance at sampled wavelengths, divided by their densities (no 1/cieYIntegral: lights carry it).
+/// XYZ estimated from radiance at sampled wavelengths: the mean of matching functions times radiance over density, where
+/// the density is not 0 (pbrt-v4's cie1931 sensor at an imaging ratio of 1).
 Xyz sensorXyz(const SampledSpectrum& radiance, const SampledWavelengths& lambda);
 
 } // namespace vitrine

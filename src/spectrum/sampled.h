@@ -56,9 +56,8 @@ SampledSpectrum mapSpectrum(const SampledSpectrum& s, F&& f) {
 
 /// a / b where b is not zero, else 0.
 inline SampledSpectrum safeDivide(const SampledSpectrum& a, const SampledSpectrum& b) {
-    SampledSpectrum r;
-    for (int i = 0; i < spectrumSamples; ++i) r.set(i, b[i] != 0 ? a[i] / b[i] : 0);
-    return r;
+    const SampledSpectrum::Lanes zero{};
+    return SampledSpectrum(b.lanes() != zero ? a.lanes() / b.lanes() : zero);
 }
 
 /// The wavelengths of a path (nm) and their densities (1/nm). Entry 0 is the hero.

@@ -38,10 +38,11 @@ class ConstantSpectrum final : public Spectrum {
     float value_;
 };
 
-/// Values at each whole nanometre from 360 to 830; between them the nearest (as pbrt-v4), outside 0.
+/// Values at each whole nanometre from 360 to 830; between them the nearest (as pbrt-v4), outside 0. The fastest spectrum
+/// to sample: what lights emit should be one.
 class DenseSpectrum final : public Spectrum {
   public:
-    /// \param values 471 values, one a nanometre
+    /// \param values 471 values, one a nanometre. \throws std::invalid_argument for another number
     explicit DenseSpectrum(std::vector<float> values);
     explicit DenseSpectrum(const Spectrum& other);
     float operator()(float lambda) const override;
@@ -49,36 +50,41 @@ class DenseSpectrum final : public Spectrum {
     float maxValue() const override { return max_; }
 
   private:
-    std::vector<float> values_;
+    std::vector<float> values_; ///< with a zero before and behind (nanometre.h)
     float max_ = 0;
 };
 
 /// Linear between given (wavelength, value) pairs; zero outside them (as pbrt-v4).
 class PiecewiseLinearSpectrum final : public Spectrum {
   public:
-    /// \throws std::invalid_argument unless wavelengths ascend strictly, are finite, and there is at least one pair.
+    /// \throws std::invalid_argument unless wavelengths ascend strictly, all is finite, and there is at least one pair.
     PiecewiseLinearSpectrum(std::vector<float> lambdas, std::vector<float> values);
     float operator()(float lambda) const override;
+    SampledSpectrum sample(const SampledWavelengths& lambda) const override;
     float maxValue() const override { return max_; }
     bool isConstant() const override;
 
   private:
+    bool coversVisible() const;
+
     std::vector<float> lambdas_, values_;
+    std::vector<std::uint32_t> segment_; ///< for each whole nanometre from 360 on, the segment to start the search at
     float max_ = 0;
 };
 
-/// Planck's law, scaled to a maximum of 1. \param kelvin > 0
+/// Planck's law, scaled to a maximum of 1 (which may lie outside the visible range).
 class BlackbodySpectrum final : public Spectrum {
   public:
+    /// \throws std::invalid_argument unless kelvin is positive and finite
     explicit BlackbodySpectrum(float kelvin);
     float operator()(float lambda) const override;
     float maxValue() const override { return 1; }
 
   private:
-    float kelvin_, scale_;
+    double peak_; ///< wavelength of the maximum, nm
 };
 
-/// `spectrum` times a constant.
+/// `spectrum` times a constant, not negative.
 class ScaledSpectrum final : public Spectrum {
   public:
     ScaledSpectrum(SpectrumPtr spectrum, float scale) : spectrum_(std::move(spectrum)), scale_(scale) {}
@@ -88,6 +94,8 @@ class ScaledSpectrum final : public Spectrum {
     }
     float maxValue() const override { return scale_ * spectrum_->maxValue(); }
     bool isConstant() const override { return spectrum_->isConstant(); }
+    const Spectrum& spectrum() const { return *spectrum_; }
+    float scale() const { return scale_; }
 
   private:
     SpectrumPtr spectrum_;
@@ -97,11 +105,17 @@ class ScaledSpectrum final : public Spectrum {
 /// The integral of a b over [360, 830] nm by the sum over whole nanometres.
 double innerProduct(const Spectrum& a, const Spectrum& b);
 
-/// The spectrum known in scene files by `name` (metal-Ag-eta, glass-BK7, stdillum-D65 ...: every name of pbrt-v4 whose
-/// data can be had), or null.
+/// The spectrum known in scene files by `name` (metal-Ag-eta, glass-BK7, stdillum-D65 ...: all of pbrt-v4's but its camera
+/// sensors), or null. Illuminants are scaled to the luminance of a constant 1 (integral with cieY = cieYIntegral). Tables
+/// go on beyond their ends with the end's value. Glasses are Schott's formulas; pbrt-v4 has them as tables.
 SpectrumPtr namedSpectrum(std::string_view name);
 /// All names that namedSpectrum knows, sorted.
 const std::vector<std::string>& namedSpectra();
+
+/// CIE daylight (the D illuminants) of a colour temperature, as pbrt-v4's: 1 near 560 nm, not normalised to a luminance;
+/// `kelvin` is on the scale of the illuminants' names (6500 is D65). Below 4000 K, where CIE defines none, a blackbody.
+/// \throws std::invalid_argument unless kelvin is positive and finite
+DenseSpectrum daylightSpectrum(float kelvin);
 
 /// CIE 1931 2-degree colour matching functions at each nanometre.
 const DenseSpectrum& cieX();
