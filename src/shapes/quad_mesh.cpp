@@ -1,0 +1,204 @@
+#include "shapes/quad_mesh.h"
+
+#include "shapes/bilinear.h"
+
+namespace vitrine {
+
+namespace {
+
+/// pbrt's bound of the solid angle below which a rectangle is sampled by area.
+constexpr double minSphericalArea = 1e-4;
+/// How far from a rectangle one may be to be sampled as one.
+constexpr double rectangleTolerance = 1e-5;
+
+/// The quad's normal, as long as twice its area: the cross product of its diagonals.
+V3d quadNormal(const V3d p[4]) {
+    return (p[2] - p[0]).cross(p[3] - p[1]);
+}
+
+} // namespace
+
+bool isPlanarQuad(const V3d& p0, const V3d& p1, const V3d& p2, const V3d& p3) {
+    const V3d p[4] = {p0, p1, p2, p3};
+    const V3d normal = quadNormal(p);
+    const double length = normal.length();
+    if (!(length > 0)) return false;
+    const V3d n = normal / length;
+    double reach = 0;
+    for (const V3d& corner : p)
+        reach = std::max(reach, maxAbs(corner));
+    // Each corner may have moved by sqrt(3) 2^-24 of its coordinates; the distance of one from the plane of the other
+    // three by four times that.
+    if (std::abs((p2 - p0).dot(n)) + std::abs((p3 - p1).dot(n)) + std::abs((p1 - p0).dot(n)) > 8 * 0x1p-24 * reach)
+        return false;
+    for (int i = 0; i < 4; ++i) {
+        const V3d in = p[i] - p[(i + 3) % 4], out = p[(i + 1) % 4] - p[i];
+        if (in.cross(out).dot(n) < -1e-6 * in.length() * out.length()) return false;
+    }
+    // Opposite corners that coincide fold the quad onto itself.
+    return p0 != p2 && p1 != p3;
+}
+
+QuadMesh::QuadMesh(std::shared_ptr<const MeshVertices> vertices, std::vector<std::uint32_t> indices)
+    : MeshShape(std::move(vertices), std::move(indices)) {
+    if (primitiveCount() == 1) {
+        const auto [p] = corners(0);
+        const V3d ex = p[1] - p[0], ey = p[3] - p[0];
+        const double width = ex.length(), height = ey.length();
+        isRectangle_ = width > 0 && height > 0 && std::abs(ex.dot(ey)) <= rectangleTolerance * width * height &&
+                       (p[2] - p[1] - ey).length() <= rectangleTolerance * std::min(width, height);
+    }
+    if (primitiveCount() > maxReadyFacets) return;
+    facets_.reserve(primitiveCount());
+    for (unsigned prim = 0; prim < primitiveCount(); ++prim)
+        facets_.push_back(facet(prim));
+}
+
+QuadMesh::Corners QuadMesh::corners(unsigned prim) const {
+    const std::uint32_t* v = face(prim);
+    return {{corner(v[0]), corner(v[1]), corner(v[2]), corner(v[3])}};
+}
+
+QuadMesh::QuadFacet QuadMesh::facet(unsigned prim) const {
+    const Corners c = corners(prim);
+    const auto& p = c.p;
+    QuadFacet result;
+    result.ng = toFloat(quadNormal(p).normalized());
+    double error = 0;
+    for (int i = 0; i < 4; i += 2)
+        if (const V3d& a = p[i], &b = p[i + 1], &d = p[(i + 3) % 4]; (b - a).cross(d - a).length2() > 0)
+            error = std::max(error, triangleError(a, b, d));
+    result.error = float(error);
+    const double size = std::max((p[2] - p[0]).length(), (p[3] - p[1]).length());
+    result.parallelogram = (p[1] - p[0] + p[3] - p[2]).length() <= 0x1p-22 * size;
+    if (result.parallelogram) {
+        SurfacePoint point;
+        addTexture(face(prim), V2d(0.5, 0.5), c, point);
+        result.dpdu = point.dpdu;
+        result.dpdv = point.dpdv;
+    }
+    return result;
+}
+
+bool QuadMesh::intersect(unsigned prim, const Ray& ray, double sMin, double sMax, PrimitiveHit& hit) const {
+    const auto [p] = corners(prim);
+    PrimitiveHit second;
+    const bool inFirst = intersectTriangle(p[0], p[1], p[3], ray, sMin, sMax, hit);
+    if (intersectTriangle(p[2], p[3], p[1], ray, sMin, sMax, second) && (!inFirst || second.s < hit.s)) {
+        hit.s = second.s;
+        hit.u = 1 - second.u;
+        hit.v = 1 - second.v;
+    } else if (!inFirst)
+        return false;
+    hit.prim = prim;
+    return true;
+}
+
+V2d QuadMesh::patchParameters(const Corners& c, const V3d& p) const {
+    return invertBilinear(c.p[0], c.p[1], c.p[3], c.p[2], quadNormal(c.p), p);
+}
+
+void QuadMesh::addTexture(const std::uint32_t* v, const V2d& at, const Corners& c, SurfacePoint& point) const {
+    const V3d dpdu = bilinearDu(c.p[0], c.p[1], c.p[3], c.p[2], at);
+    const V3d dpdv = bilinearDv(c.p[0], c.p[1], c.p[3], c.p[2], at);
+    if (mesh().uv.empty()) {
+        point.uv = V2f(at);
+        point.dpdu = toFloat(dpdu);
+        point.dpdv = toFloat(dpdv);
+        return;
+    }
+    const auto& uv = mesh().uv;
+    const BilinearTexture texture(uv[v[0]], uv[v[1]], uv[v[3]], uv[v[2]], at);
+    point.uv = texture.st();
+    texture.derivatives(dpdu, dpdv, point.dpdu, point.dpdv);
+}
+
+SurfacePoint QuadMesh::pointAt(const Ray&, const PrimitiveHit& hit) const {
+    const std::uint32_t* v = face(hit.prim);
+    const Corners c = corners(hit.prim);
+    const auto& p = c.p;
+    const QuadFacet facet = facets_.empty() ? this->facet(hit.prim) : facets_[hit.prim];
+    SurfacePoint point;
+    point.p = hit.u + hit.v <= 1 ? p[0] + (p[1] - p[0]) * hit.u + (p[3] - p[0]) * hit.v
+                                 : p[2] + (p[3] - p[2]) * (1 - hit.u) + (p[1] - p[2]) * (1 - hit.v);
+    point.error = originError(point.p) + facet.error;
+    point.ng = mesh().flips ? -facet.ng : facet.ng;
+    point.ns = point.ng;
+    point.dndu = point.dndv = V3f(0, 0, 0);
+    V2d at(hit.u, hit.v);
+    if (facet.parallelogram && mesh().uv.empty()) {
+        point.uv = V2f(at);
+        point.dpdu = facet.dpdu;
+        point.dpdv = facet.dpdv;
+    } else {
+        if (!facet.parallelogram) at = patchParameters(c, point.p);
+        addTexture(v, at, c, point);
+    }
+    if (!mesh().n.empty()) {
+        const auto& n = mesh().n;
+        const V3f corners[4] = {n[v[0]], n[v[1]], n[v[3]], n[v[2]]};
+        const BilinearTexture* texture = nullptr;
+        std::optional<BilinearTexture> given;
+        if (!mesh().uv.empty())
+            texture = &given.emplace(mesh().uv[v[0]], mesh().uv[v[1]], mesh().uv[v[3]], mesh().uv[v[2]], at);
+        shadeBilinear(corners, at, texture, point);
+    }
+    return point;
+}
+
+double QuadMesh::primitiveArea(unsigned prim) const {
+    return quadNormal(corners(prim).p).length() / 2;
+}
+
+std::optional<ShapeSample> QuadMesh::sample(const V2f& u) const {
+    V2f within = u;
+    PrimitiveHit hit;
+    hit.prim = drawPrimitive(within);
+    const auto [p] = corners(hit.prim);
+    const bool ready = !facets_.empty();
+    if (ready ? facets_[hit.prim].parallelogram : facet(hit.prim).parallelogram) {
+        hit.u = within.x;
+        hit.v = within.y;
+    } else {
+        // The two triangles by their areas.
+        const double first = (p[1] - p[0]).cross(p[3] - p[0]).length();
+        const double second = (p[3] - p[2]).cross(p[1] - p[2]).length(), share = first / (first + second);
+        const bool inFirst = within.x < share;
+        within.x = float(inFirst ? within.x / share : (within.x - share) / (1 - share));
+        within.x = std::min(within.x, 1 - 0x1p-24f);
+        const V2f b = sampleUniformTriangle(within);
+        const double b1 = b.x, b2 = b.y;
+        hit.u = inFirst ? b1 : 1 - b1;
+        hit.v = inFirst ? b2 : 1 - b2;
+    }
+    return ShapeSample{pointAt(Ray{}, hit), float(1 / area())};
+}
+
+std::optional<SphericalRectangle> QuadMesh::seenRectangle(const V3d& from) const {
+    if (!isRectangle_) return std::nullopt;
+    const auto [p] = corners(0);
+    const SphericalRectangle seen(from, p[0], p[1] - p[0], p[3] - p[0]);
+    if (!(seen.solidAngle() > minSphericalArea)) return std::nullopt;
+    return seen;
+}
+
+std::optional<ShapeSample> QuadMesh::sample(const V3d& from, const V2f& u) const {
+    const std::optional<SphericalRectangle> seen = seenRectangle(from);
+    if (!seen) return Shape::sample(from, u);
+    const V2d at = seen->sample(u);
+    PrimitiveHit hit;
+    hit.u = at.x;
+    hit.v = at.y;
+    return ShapeSample{pointAt(Ray{}, hit), float(1 / seen->solidAngle())};
+}
+
+float QuadMesh::pdf(const V3d& from, const PrimitiveHit& hit, const SurfacePoint& point) const {
+    const std::optional<SphericalRectangle> seen = seenRectangle(from);
+    return seen ? float(1 / seen->solidAngle()) : Shape::pdf(from, hit, point);
+}
+
+std::size_t QuadMesh::memoryBytes() const {
+    return MeshShape::memoryBytes() + facets_.capacity() * sizeof(QuadFacet);
+}
+
+} // namespace vitrine
