@@ -11,12 +11,19 @@ namespace vitrine {
 
 /// A direction towards a light from a point.
 struct LightSample {
-    V3f wi;             ///< unit, from the point to the light
-    SampledSpectrum l;  ///< radiance arriving from there, unoccluded; for delta lights intensity / distance^2 (or irradiance), to be divided by pdf
-    float pdf = 0;      ///< per solid angle at the point; for delta lights 1
-    Ray shadow;         ///< from the light's end: o unset; d = light point - p and tMax just short of 1, or wi and infinity
+    V3f wi;               ///< unit, from the point to the light
+    SampledSpectrum l;    ///< radiance arriving from there, unoccluded; for delta lights intensity / distance^2 (or
+                          ///< irradiance); to be divided by pdf
+    float pdf = 0;        ///< per solid angle at the point; for delta lights 1
+    Ray shadow;           ///< o unset; d = light point - p and tMax just short of 1 (shadowTo), or wi and infinity
     bool isDelta = false; ///< cannot be hit by a ray: no MIS
 };
+
+/// The shadow ray from p to a point of a light: it stops short of the target by what rounding may do to its length. A
+/// target on a surface must lie off it, towards p, by the point's error.
+inline Ray shadowTo(const V3d& target, const V3d& p) {
+    return Ray{V3d(0, 0, 0), target - p, 1 - 1e-6};
+}
 
 class Light {
   public:
@@ -40,11 +47,32 @@ class Light {
 
 using LightPtr = std::shared_ptr<Light>;
 
-/// A shape that shines.
+/// AreaLightSource "diffuse": a shape that shines with the same radiance everywhere and in all directions.
+///
+/// | name     | type     | unit | default            | meaning |
+/// |----------|----------|------|--------------------|---------|
+/// | L        | spectrum | nit  | colour space's white | emitted radiance |
+/// | scale    | float    |      | 1                  | multiplies L |
+/// | power    | float    | lm   | -1                 | if positive: what the whole shape emits, on both sides if
+/// twosided | | twosided | bool     |      | false              | shines from both sides, else from that of the normal
+/// alone |
+///
+/// A shape of infinite area shines, but is never chosen by light sampling.
 class AreaLight final : public Light {
   public:
+    struct Parameters {
+        SpectrumPtr l;
+        double scale = 1;
+        double power = -1;
+        bool twoSided = false;
+    };
+    /// By pbrt's rule (lights/emission.h); `unit` for the power is pi area, twice that for two sides.
+    /// \throws std::invalid_argument as scaledEmission does
+    static std::shared_ptr<AreaLight> create(ShapePtr shape, const Parameters& parameters);
+
     /// \param l emitted radiance (already scaled). \param twoSided shines from both sides of the shape
-    AreaLight(ShapePtr shape, SpectrumPtr l, bool twoSided) : shape_(std::move(shape)), l_(std::move(l)), twoSided_(twoSided) {}
+    AreaLight(ShapePtr shape, SpectrumPtr l, bool twoSided)
+        : shape_(std::move(shape)), l_(std::move(l)), twoSided_(twoSided) {}
 
     SampledSpectrum power(const SampledWavelengths& lambda) const override;
     std::optional<LightSample> sample(const V3d& p, const V2f& u, const SampledWavelengths& lambda) const override;

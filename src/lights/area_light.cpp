@@ -1,0 +1,31 @@
+#include "lights/emission.h"
+#include "lights/light.h"
+
+namespace vitrine {
+
+std::shared_ptr<AreaLight> AreaLight::create(ShapePtr shape, const Parameters& parameters) {
+    const double unit = piD * shape->area() * (parameters.twoSided ? 2 : 1);
+    SpectrumPtr l = scaledEmission(parameters.l, parameters.scale, parameters.power, unit);
+    return std::make_shared<AreaLight>(std::move(shape), std::move(l), parameters.twoSided);
+}
+
+SampledSpectrum AreaLight::power(const SampledWavelengths& lambda) const {
+    return l_->sample(lambda) * float(piD * shape_->area() * (twoSided_ ? 2 : 1));
+}
+
+std::optional<LightSample> AreaLight::sample(const V3d& p, const V2f& u, const SampledWavelengths& lambda) const {
+    const auto onShape = shape_->sample(p, u);
+    if (!onShape || !(onShape->pdf > 0)) return {};
+    const V3d toLight = onShape->point.p - p;
+    const double distance = toLight.length();
+    if (!(distance > 0)) return {};
+    LightSample sample;
+    sample.wi = toFloat(toLight / distance);
+    sample.l = emitted(onShape->point, -sample.wi, lambda);
+    if (sample.l.isBlack()) return {};
+    sample.pdf = onShape->pdf;
+    sample.shadow = shadowTo(offsetOrigin(onShape->point, -sample.wi), p);
+    return sample;
+}
+
+} // namespace vitrine

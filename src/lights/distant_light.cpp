@@ -1,0 +1,31 @@
+#include "lights/distant_light.h"
+
+#include "lights/emission.h"
+
+#include <stdexcept>
+
+namespace vitrine {
+
+std::shared_ptr<DistantLight> DistantLight::create(const Transform& worldFromLight, const Parameters& parameters) {
+    const V3d back = parameters.from - parameters.to;
+    if (!(back.length2() > 0)) throw std::invalid_argument("a distant light's \"from\" and \"to\" must differ");
+    SpectrumPtr irradiance = scaledEmission(parameters.l, parameters.scale, parameters.illuminance, 1);
+    return std::make_shared<DistantLight>(worldFromLight.vector(back), std::move(irradiance));
+}
+
+SampledSpectrum DistantLight::power(const SampledWavelengths& lambda) const {
+    return irradiance_->sample(lambda) * float(piD * sqr(sceneRadius_));
+}
+
+std::optional<LightSample> DistantLight::sample(const V3d&, const V2f&, const SampledWavelengths& lambda) const {
+    LightSample sample;
+    sample.l = irradiance_->sample(lambda);
+    if (sample.l.isBlack()) return {};
+    sample.wi = toFloat(wi_);
+    sample.shadow = Ray{V3d(0, 0, 0), wi_, infinityD};
+    sample.pdf = 1;
+    sample.isDelta = true;
+    return sample;
+}
+
+} // namespace vitrine

@@ -1,0 +1,29 @@
+#include "lights/point_light.h"
+
+#include "lights/emission.h"
+
+namespace vitrine {
+
+std::shared_ptr<PointLight> PointLight::create(const Transform& worldFromLight, const Parameters& parameters) {
+    SpectrumPtr intensity = scaledEmission(parameters.i, parameters.scale, parameters.power, 4 * piD);
+    return std::make_shared<PointLight>(worldFromLight.point(parameters.from), std::move(intensity));
+}
+
+SampledSpectrum PointLight::power(const SampledWavelengths& lambda) const {
+    return intensity_->sample(lambda) * (4 * pi);
+}
+
+std::optional<LightSample> PointLight::sample(const V3d& p, const V2f&, const SampledWavelengths& lambda) const {
+    LightSample sample;
+    sample.shadow = shadowTo(position_, p);
+    const double distance2 = sample.shadow.d.length2();
+    if (!(distance2 > 0)) return {};
+    sample.wi = toFloat(sample.shadow.d / std::sqrt(distance2));
+    sample.l = intensity_->sample(lambda) * float(1 / distance2);
+    if (sample.l.isBlack()) return {};
+    sample.pdf = 1;
+    sample.isDelta = true;
+    return sample;
+}
+
+} // namespace vitrine

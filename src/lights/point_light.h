@@ -1,0 +1,41 @@
+// LightSource "point".
+#pragma once
+
+#include "core/transform.h"
+#include "lights/light.h"
+
+namespace vitrine {
+
+/// Shines alike in all directions from one point.
+///
+/// | name  | type     | unit | default              | meaning |
+/// |-------|----------|------|----------------------|---------|
+/// | I     | spectrum | cd   | colour space's white | intensity |
+/// | scale | float    |      | 1                    | multiplies I |
+/// | power | float    | lm   | -1                   | if positive: what the light emits in all |
+/// | from  | point3   |      | 0 0 0                | where it is |
+class PointLight final : public Light {
+  public:
+    struct Parameters {
+        SpectrumPtr i;
+        double scale = 1;
+        double power = -1;
+        V3d from{0, 0, 0};
+    };
+    /// By pbrt's rule (lights/emission.h); `unit` for the power is 4 pi.
+    /// \throws std::invalid_argument as scaledEmission does
+    static std::shared_ptr<PointLight> create(const Transform& worldFromLight, const Parameters& parameters);
+
+    /// \param position in the world  \param intensity already scaled
+    PointLight(const V3d& position, SpectrumPtr intensity) : position_(position), intensity_(std::move(intensity)) {}
+
+    SampledSpectrum power(const SampledWavelengths& lambda) const override;
+    std::optional<LightSample> sample(const V3d& p, const V2f& u, const SampledWavelengths& lambda) const override;
+    bool isDelta() const override { return true; }
+
+  private:
+    V3d position_;
+    SpectrumPtr intensity_;
+};
+
+} // namespace vitrine

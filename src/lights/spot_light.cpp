@@ -1,0 +1,70 @@
+#include "lights/spot_light.h"
+
+#include "lights/emission.h"
+
+#include <stdexcept>
+
+namespace vitrine {
+
+namespace {
+
+/// The light's own space, +z from `from` to `to`. The directions of x and y do not matter.
+Transform aim(const V3d& from, const V3d& to) {
+    const V3d axis = to - from;
+    if (!(axis.length2() > 0)) throw std::invalid_argument("a spot light's \"from\" and \"to\" must differ");
+    const V3d z = axis.normalized();
+    const V3d x = (std::abs(z.x) < 0.5 ? V3d(1, 0, 0) : V3d(0, 1, 0)).cross(z).normalized();
+    const V3d y = z.cross(x);
+    return Transform(M44d(x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, from.x, from.y, from.z, 1));
+}
+
+} // namespace
+
+std::shared_ptr<SpotLight> SpotLight::create(const Transform& worldFromLight, const Parameters& parameters) {
+    const Transform worldFromSpot = aim(parameters.from, parameters.to).then(worldFromLight);
+    const double unit = SpotLight(worldFromSpot, nullptr, parameters.cone).solidAngle();
+    SpectrumPtr intensity = scaledEmission(parameters.i, parameters.scale, parameters.power, unit);
+    return std::make_shared<SpotLight>(worldFromSpot, std::move(intensity), parameters.cone);
+}
+
+SpotLight::SpotLight(const Transform& worldFromSpot, SpectrumPtr intensity, const Cone& cone)
+    : spotFromWorld_(worldFromSpot.inverse()), position_(worldFromSpot.point(V3d(0, 0, 0))),
+      intensity_(std::move(intensity)), cosStart_(std::cos(radians(cone.angle - cone.delta))),
+      cosEnd_(std::cos(radians(cone.angle))) {
+    if (!(cone.angle > 0 && cone.angle <= 180))
+        throw std::invalid_argument("a spot light's \"coneangle\" must be positive and at most 180 degrees");
+    if (!(cone.delta >= 0 && cone.delta <= cone.angle))
+        throw std::invalid_argument("a spot light's \"conedeltaangle\" must lie between 0 and its \"coneangle\"");
+}
+
+double SpotLight::falloff(double cosTheta) const {
+    if (cosTheta >= cosStart_) return 1;
+    if (cosTheta <= cosEnd_) return 0;
+    const double t = (cosTheta - cosEnd_) / (cosStart_ - cosEnd_);
+    return t * t * (3 - 2 * t);
+}
+
+double SpotLight::solidAngle() const {
+    return 2 * piD * ((1 - cosStart_) + (cosStart_ - cosEnd_) / 2);
+}
+
+SampledSpectrum SpotLight::power(const SampledWavelengths& lambda) const {
+    return intensity_->sample(lambda) * float(solidAngle());
+}
+
+std::optional<LightSample> SpotLight::sample(const V3d& p, const V2f&, const SampledWavelengths& lambda) const {
+    LightSample sample;
+    sample.shadow = shadowTo(position_, p);
+    const double distance2 = sample.shadow.d.length2();
+    if (!(distance2 > 0)) return {};
+    const double part = falloff(spotFromWorld_.vector(-sample.shadow.d).normalized().z);
+    if (part == 0) return {};
+    sample.wi = toFloat(sample.shadow.d / std::sqrt(distance2));
+    sample.l = intensity_->sample(lambda) * float(part / distance2);
+    if (sample.l.isBlack()) return {};
+    sample.pdf = 1;
+    sample.isDelta = true;
+    return sample;
+}
+
+} // namespace vitrine
