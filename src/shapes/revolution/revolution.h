@@ -1,0 +1,67 @@
+// A Bezier profile turned about the y axis: exact, no tessellation.
+#pragma once
+
+#include "shapes/parameters.h"
+#include "shapes/placement.h"
+#include "shapes/revolution/area_table.h"
+#include "shapes/revolution/root_finder.h"
+
+namespace vitrine {
+
+/// | name   | type    | unit        | default                | meaning |
+/// |--------|---------|-------------|------------------------|---------|
+/// | P      | point2  | scene units |                        | control points (radius, height) |
+/// | degree | integer |             | number of points - 1   | of every segment; consecutive segments share end points
+/// | | phimax | float   | degrees     | 360                    | extent of the angle about the y axis, phi = atan2(z,
+/// x) |
+///
+/// Control points may have a negative radius as long as the curve has none. (u, v) = (phi / phimax, (segment + t) /
+/// segments). The normal is (y', -x') of the profile, turned; that of a closed profile (both ends on the axis, or
+/// coinciding) points out of the solid however it was drawn.
+class Revolution final : public Shape {
+  public:
+    /// \throws std::invalid_argument
+    Revolution(const Transform& worldFromObject, bool reverseOrientation, Profile profile, double phiMaxDegrees = 360);
+
+    unsigned primitiveCount() const override { return roots_.groupCount(); }
+    Box3d bounds(unsigned prim) const override;
+    using Shape::bounds;
+    bool intersect(unsigned prim, const Ray& ray, double sMin, double sMax, PrimitiveHit& hit) const override;
+    bool occludes(unsigned prim, const Ray& ray, double sMin, double sMax) const override;
+    SurfacePoint pointAt(const Ray& ray, const PrimitiveHit& hit) const override;
+    /// Every crossing with s in (sMin, sMax), in order.
+    std::vector<PrimitiveHit> allHits(const Ray& ray, double sMin, double sMax) const;
+
+    double area() const override { return area_; }
+    std::optional<ShapeSample> sample(const V2f& u) const override;
+    float pdf(const PrimitiveHit& hit) const override;
+    using Shape::pdf;
+    using Shape::sample;
+
+    bool isClosed() const override { return profile_.isClosed() && phi_.isFull() && !placement_.flips(); }
+    std::size_t memoryBytes() const override;
+
+    const Profile& profile() const { return profile_; }
+
+  private:
+    struct Angle {
+        double cos, sin;
+    };
+    PrimitiveHit primitiveHit(const Ray& objectRay, const ProfileHit& hit, unsigned prim) const;
+    ObjectPoint describe(double u, double v, const Angle& phi) const;
+    SurfacePoint toWorld(const ObjectPoint& point) const;
+    V2d tangentNear(double v) const;
+    Angle angle(double u) const;
+    double pdfAt(double v, const V3d& normal) const;
+    double integrateArea() const;
+
+    Profile profile_;
+    PhiRange phi_;
+    Placement placement_;
+    RootFinder roots_;
+    AreaTable table_;
+    double profileError_; ///< bound of a curve point's error, in world units
+    double area_;
+};
+
+} // namespace vitrine
