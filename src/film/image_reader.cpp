@@ -5,7 +5,10 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include <array>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 namespace vitrine {
 
@@ -51,9 +54,30 @@ void readMetadata(const OIIO::ImageSpec& spec, ImageMetadata& metadata) {
 void linearise(Image& image, const OIIO::ImageSpec& spec) {
     if (spec.format.is_floating_point()) return;
     if (OIIO::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace"), "linear")) return;
+    // Powers are slow: bytes go by a table.
+    std::array<float, 256> ofByte;
+    for (std::size_t i = 0; i < ofByte.size(); ++i)
+        ofByte[i] = float(linearFromSrgb(double(i) / 255));
+    const bool bytes = spec.format == OIIO::TypeUInt8;
     const std::size_t channels = std::size_t(image.channels);
-    for (std::size_t i = 0; i < image.pixels.size(); ++i)
-        if (int(i % channels) != spec.alpha_channel) image.pixels[i] = float(linearFromSrgb(double(image.pixels[i])));
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        if (int(i % channels) == spec.alpha_channel) continue;
+        float& value = image.pixels[i];
+        value = bytes ? ofByte[std::size_t(std::lround(value * 255)) & 255] : float(linearFromSrgb(double(value)));
+    }
+}
+
+/// The JPEG library fills what is missing with grey and says nothing: look for the end marker.
+bool isCutJpeg(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    if (in.get() != 0xff || in.get() != 0xd8) return false;
+    bool afterFf = false;
+    for (std::istreambuf_iterator<char> i(in), end; i != end; ++i) {
+        const auto byte = static_cast<unsigned char>(*i);
+        if (afterFf && byte == 0xd9) return false;
+        afterFf = byte == 0xff;
+    }
+    return true;
 }
 
 Image readPixels(const std::string& path, OIIO::ImageInput& input, const OIIO::ImageSpec& spec) {
@@ -63,6 +87,10 @@ Image readPixels(const std::string& path, OIIO::ImageInput& input, const OIIO::I
     const std::string size = fmt::format("{} x {} pixels of {} channels", spec.width, spec.height, spec.nchannels);
     const auto row = std::int64_t(spec.width) * spec.nchannels;
     if (row > maxValues / spec.height) fail(path, "its header claims " + size);
+    // Deflate's best is 1 : 1032; an interlaced PNG would be given all its memory before that shows.
+    const auto fileSize = double(std::filesystem::file_size(path));
+    if (std::string_view(input.format_name()) == "png" && double(spec.image_bytes(true)) > 1100 * fileSize)
+        fail(path, "its header claims " + size + ", more than the file can hold");
 
     const auto count = std::size_t(row * spec.height);
     try {
@@ -81,6 +109,7 @@ Image readImage(const std::string& path, ImageMetadata* metadata) {
     std::error_code error;
     if (!std::filesystem::exists(path, error)) fail(path, "no such file");
     if (std::filesystem::is_directory(path, error)) fail(path, "is a directory");
+    if (isCutJpeg(path)) fail(path, "the file is cut short");
 
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);

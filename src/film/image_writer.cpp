@@ -68,6 +68,8 @@ Bytes encodeExr(const Picture& picture) {
         spec.channelnames = picture.metadata.channelNames;
     else if (image.channels <= 4)
         spec.channelnames = names[image.channels - 1];
+    else
+        spec.channelnames.clear();
     if (int(spec.channelnames.size()) != image.channels)
         throw FileError(picture.path,
                         fmt::format("{} channels, but {} names of channels", image.channels, spec.channelnames.size()));
@@ -79,7 +81,9 @@ Bytes encodeExr(const Picture& picture) {
         spec.full_height = picture.metadata.fullResolution.y;
     }
     spec.attribute("compression", "zip");
-    // OpenImageIO writes the present time unless there is a date; one of the wrong type is left out.
+    // OpenImageIO writes the present time unless there is a date; one of the wrong type is left out (and spoken of, in
+    // builds that print debugging messages).
+    OIIO::attribute("debug", 0);
     spec.attribute("DateTime", 0);
     addMetadata(spec, picture.metadata);
     return encode(picture, spec, OIIO::TypeFloat, image.pixels.data());

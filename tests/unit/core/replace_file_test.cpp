@@ -1,0 +1,109 @@
+#include "core/errors.h"
+#include "core/replace_file.h"
+#include "support/temporary_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace vitrine {
+namespace {
+
+using testing::HasSubstr;
+
+void replace(const std::string& path, const std::string& text) {
+    replaceFile(path, std::as_bytes(std::span(text)));
+}
+
+std::string contents(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string messageOf(const std::string& path) {
+    try {
+        replace(path, "new");
+    } catch (const FileError& error) {
+        EXPECT_EQ(error.file(), path);
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(ReplaceFile, WritesAndReplaces) {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("a.bin");
+    replace(path, std::string("first\0text", 10));
+    EXPECT_EQ(contents(path), std::string("first\0text", 10));
+    replace(path, "");
+    EXPECT_EQ(contents(path), "");
+    EXPECT_EQ(folder.count(), 1u);
+}
+
+TEST(ReplaceFile, StaleTemporaryFilesAreNoObstacle) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder.file(".a.bin.0.part")) << "left by a killed process";
+    replace(folder.file("a.bin"), "text");
+    EXPECT_EQ(contents(folder.file("a.bin")), "text");
+    EXPECT_EQ(folder.count(), 2u);
+}
+
+TEST(ReplaceFile, LinksAreFollowed) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder.file("target")) << "old";
+    std::filesystem::create_symlink("target", folder.file("link"));
+    replace(folder.file("link"), "new");
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.file("link")));
+    EXPECT_EQ(contents(folder.file("target")), "new");
+}
+
+TEST(ReplaceFile, ErrorsNameTheFile) {
+    const test::TemporaryFolder folder;
+    EXPECT_THAT(messageOf(folder.file("missing/a.bin")), HasSubstr("missing/a.bin: cannot be written: No such file"));
+    std::ofstream(folder.file("file")) << "text";
+    EXPECT_THAT(messageOf(folder.file("file/a.bin")), HasSubstr("Not a directory"));
+    std::filesystem::create_directory(folder.file("dir"));
+    EXPECT_THAT(messageOf(folder.file("dir")), HasSubstr("Is a directory"));
+    EXPECT_EQ(folder.count(), 2u);
+}
+
+TEST(ReplaceFile, DevicesAreWrittenToAsTheyAre) {
+    replace("/dev/null", "text");
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+    EXPECT_THAT(messageOf("/dev/full"), HasSubstr("No space left"));
+}
+
+TEST(ReplaceFile, ALimitReachedWhileWritingLeavesTheOldFile) {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("a.bin");
+    replace(path, "old");
+    // In a process of its own, as the limit cannot be lifted again.
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{4096, 4096};
+        if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) ::_exit(1);
+        try {
+            replace(path, std::string(100000, 'x'));
+        } catch (const FileError&) {
+            ::_exit(42);
+        }
+        ::_exit(2);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 42);
+    EXPECT_EQ(contents(path), "old");
+    EXPECT_EQ(folder.count(), 1u);
+}
+
+} // namespace
+} // namespace vitrine
