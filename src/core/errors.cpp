@@ -1,44 +1,99 @@
 #include "core/errors.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
-
-#include <fmt/format.h>
+#include <string_view>
 
 namespace vitrine {
 
 namespace {
 
 /// Line `number` (from 1) of `text`, without its line end.
-std::string lineOf(const std::string& text, int number) {
+std::string_view lineOf(std::string_view text, int number) {
     std::size_t begin = 0;
     for (int i = 1; i < number; ++i) {
         begin = text.find('\n', begin);
-        if (begin == std::string::npos) return {};
+        if (begin == std::string_view::npos) return {};
         ++begin;
     }
-    const std::size_t end = text.find_first_of("\r\n", begin);
-    return text.substr(begin, end == std::string::npos ? end : end - begin);
+    return text.substr(begin, text.find_first_of("\r\n", begin) - begin);
 }
 
-/// The part of a long line around the column, control characters as spaces so that the caret stays below its place.
-std::string excerpt(std::string line, int column, int length) {
-    constexpr int width = 120;
-    for (char& c : line)
-        if (static_cast<unsigned char>(c) < ' ' || c == 127) c = ' ';
-    const int first = column > width - 20 ? column - width / 2 : 0;
-    if (first >= int(line.size()) + 1) return {};
-    std::string shown = line.substr(std::size_t(first), width);
-    // Never cut inside a UTF-8 sequence: an error must be valid text.
-    while (!shown.empty() && first > 0 && (static_cast<unsigned char>(shown.front()) & 0xc0) == 0x80) shown.front() = ' ';
-    const int caretColumn = std::max(0, column - 1 - first);
-    const int carets = std::clamp(length, 1, std::max(1, int(shown.size()) - caretColumn));
-    return "    " + shown + "\n    " + std::string(std::size_t(caretColumn), ' ') + std::string(std::size_t(carets), '^');
+/// One character of an excerpt and the byte of the line at which it stood.
+struct Cell {
+    std::string_view shown;
+    std::size_t byte;
+};
+
+/// Length of the well-formed UTF-8 sequence at the start of `text`, or 0 (Unicode 15, table 3-7).
+std::size_t utf8Length(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+    const auto continues = [&](std::size_t i, unsigned low = 0x80, unsigned high = 0xbf) {
+        return byte(i) >= low && byte(i) <= high;
+    };
+    const unsigned lead = byte(0);
+    if (lead < 0x80) return 1;
+    if (lead >= 0xc2 && lead <= 0xdf) return continues(1) ? 2 : 0;
+    if (lead >= 0xe0 && lead <= 0xef)
+        return continues(1, lead == 0xe0 ? 0xa0 : 0x80, lead == 0xed ? 0x9f : 0xbf) && continues(2) ? 3 : 0;
+    if (lead >= 0xf0 && lead <= 0xf4)
+        return continues(1, lead == 0xf0 ? 0x90 : 0x80, lead == 0xf4 ? 0x8f : 0xbf) && continues(2) && continues(3) ? 4
+                                                                                                                    : 0;
+    return 0;
+}
+
+bool isControl(std::string_view character) {
+    const auto lead = static_cast<unsigned char>(character[0]);
+    if (character.size() == 2) return lead == 0xc2 && static_cast<unsigned char>(character[1]) < 0xa0;
+    return lead < ' ' || lead == 127;
+}
+
+/// The characters of line[begin, end): a space for each control character, so that the caret stays below its place, and
+/// U+FFFD for each byte that is not UTF-8, since an error must be valid text.
+std::vector<Cell> cellsOf(std::string_view line, std::size_t begin, std::size_t end) {
+    std::vector<Cell> cells;
+    for (std::size_t i = begin; i < std::min(end, line.size());) {
+        const std::size_t length = utf8Length(line.substr(i));
+        const std::string_view character = line.substr(i, std::max<std::size_t>(1, length));
+        cells.push_back({length == 0 ? "\xef\xbf\xbd" : isControl(character) ? " " : character, i});
+        i += character.size();
+    }
+    return cells;
+}
+
+/// The part of a line around its byte `column` (from 1), and below it carets for `length` bytes.
+std::string excerpt(std::string_view line, int column, int length) {
+    constexpr std::size_t width = 120, before = 60, longestCharacter = 4;
+    const std::size_t at = std::min(std::size_t(column - 1), line.size());
+    std::size_t begin = at - std::min(at, longestCharacter * width);
+    while (begin > 0 && begin < line.size() && (static_cast<unsigned char>(line[begin]) & 0xc0) == 0x80)
+        ++begin;
+    const std::vector<Cell> cells = cellsOf(line, begin, at + longestCharacter * width);
+
+    const auto cellAt = [&](std::size_t byte) {
+        const auto after =
+            std::upper_bound(cells.begin(), cells.end(), byte, [](std::size_t b, const Cell& c) { return b < c.byte; });
+        return byte >= line.size() ? cells.size() : std::size_t(std::max<std::ptrdiff_t>(0, after - cells.begin() - 1));
+    };
+    const std::size_t caret = cellAt(at);
+    // A line that would leave the caret near the right edge or beyond it is cut on the left.
+    const std::size_t first = begin > 0 || caret >= width - 20 ? caret - std::min(caret, before) : 0;
+    const std::size_t last = std::min(cells.size(), first + width);
+    const std::size_t caretEnd = std::min(cellAt(at + std::size_t(std::max(1, length)) - 1) + 1, last);
+
+    std::string text = "    ";
+    for (std::size_t i = first; i < last; ++i)
+        text += cells[i].shown;
+    text += "\n    " + std::string(caret - first, ' ');
+    return text + std::string(std::max(caret + 1, caretEnd) - caret, '^');
 }
 
 int editDistance(const std::string& a, const std::string& b) {
     std::vector<int> previous2, previous(b.size() + 1), row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j) previous[j] = int(j);
+    for (std::size_t j = 0; j <= b.size(); ++j)
+        previous[j] = int(j);
     for (std::size_t i = 1; i <= a.size(); ++i) {
         row[0] = int(i);
         for (std::size_t j = 1; j <= b.size(); ++j) {
@@ -53,7 +108,8 @@ int editDistance(const std::string& a, const std::string& b) {
 }
 
 std::string lower(std::string s) {
-    for (char& c : s) c = char(std::tolower(static_cast<unsigned char>(c)));
+    for (char& c : s)
+        c = char(std::tolower(static_cast<unsigned char>(c)));
     return s;
 }
 
@@ -80,8 +136,8 @@ std::string Diagnostic::toString() const {
     text += severity == Severity::Error ? "error: " : "warning: ";
     text += message;
     if (place && place.line > 0) {
-        const std::string shown = excerpt(lineOf(place.file->text, place.line), std::max(1, place.column), place.length);
-        if (!shown.empty()) text += "\n" + shown;
+        text += '\n';
+        text += excerpt(lineOf(place.file->text, place.line), std::max(1, place.column), place.length);
     }
     if (!hint.empty()) text += "\n    " + hint;
     if (place)
@@ -117,7 +173,8 @@ std::string nearestName(const std::string& word, const std::vector<std::string>&
     // Words of user input can be of any length; no valid name is longer than this.
     if (word.size() > 64) return {};
     std::string best;
-    int bestDistance = std::max(1, int(word.size()) / 3) + 1;
+    // One slip in three letters; a single letter that is wrong says nothing of what was meant.
+    int bestDistance = word.size() < 2 ? 1 : std::max(1, int(word.size()) / 3) + 1;
     for (const auto& candidate : candidates) {
         const int distance = editDistance(lower(word), lower(candidate));
         if (distance < bestDistance) {

@@ -16,12 +16,13 @@ struct SourceFile {
     int includedAtLine = 0; ///< line of the Include/Import directive in `includedFrom`
 };
 
-/// A position in a text. Lines and columns count from 1; 0 means "the file as a whole".
+/// A position in a text. Lines and columns count from 1; line 0 means "the file as a whole". Columns and lengths count
+/// bytes, as editors jump to them; what is shown counts characters.
 struct Place {
     std::shared_ptr<const SourceFile> file;
     int line = 0;
     int column = 0;
-    int length = 1; ///< how many characters the caret underlines
+    int length = 1; ///< how many bytes the caret underlines
 
     explicit operator bool() const { return file != nullptr; }
     /// "file:line:column", or "" for no place.

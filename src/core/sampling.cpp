@@ -1,10 +1,23 @@
 #include "core/sampling.h"
 
+#include <stdexcept>
+
 namespace vitrine {
 
 namespace {
 
 constexpr float oneMinusEpsilon = 0x1.fffffep-1f;
+
+template <class Weight>
+void checkWeights(std::span<const Weight> weights) {
+    if (weights.empty()) throw std::invalid_argument("a distribution needs at least one weight");
+    double total = 0;
+    for (const Weight w : weights) {
+        if (!(w >= 0)) throw std::invalid_argument("the weights of a distribution must not be negative or NaN");
+        total += double(w);
+    }
+    if (!std::isfinite(total)) throw std::invalid_argument("the weights of a distribution must be finite");
+}
 
 } // namespace
 
@@ -20,13 +33,16 @@ V2f sampleUniformDisk(const V2f& u) {
 }
 
 PiecewiseConstant1D::PiecewiseConstant1D(std::span<const float> weights) : weights_(weights.begin(), weights.end()) {
+    checkWeights(weights);
     const std::size_t n = weights_.size();
     cdf_.assign(n + 1, 0);
-    for (std::size_t i = 0; i < n; ++i) cdf_[i + 1] = cdf_[i] + weights_[i];
+    for (std::size_t i = 0; i < n; ++i)
+        cdf_[i + 1] = cdf_[i] + weights_[i];
     const double total = cdf_[n];
-    integral_ = n ? total / double(n) : 0;
+    integral_ = total / double(n);
     if (!(total > 0)) weights_.assign(n, 1.f);
-    for (std::size_t i = 0; i <= n; ++i) cdf_[i] = total > 0 ? cdf_[i] / total : double(i) / double(n);
+    for (std::size_t i = 0; i <= n; ++i)
+        cdf_[i] = total > 0 ? cdf_[i] / total : double(i) / double(n);
 }
 
 PiecewiseConstant1D::Sample PiecewiseConstant1D::sample(float u) const {
@@ -36,13 +52,21 @@ PiecewiseConstant1D::Sample PiecewiseConstant1D::sample(float u) const {
     bin = std::min(bin, weights_.size() - 1);
     const double width = cdf_[bin + 1] - cdf_[bin];
     const double within = width > 0 ? std::clamp((double(u) - cdf_[bin]) / width, 0., 1.) : 0;
-    const double x = (double(bin) + within) / double(weights_.size());
-    return {std::min(float(x), oneMinusEpsilon), float(width * double(weights_.size())), int(bin)};
+    float x = std::min(float((double(bin) + within) / double(weights_.size())), oneMinusEpsilon);
+    // Rounded to float, x may have left its bin for a neighbour of quite another density.
+    while (binOf(x) > int(bin))
+        x = std::nextafter(x, 0.f);
+    while (binOf(x) < int(bin) && x < oneMinusEpsilon)
+        x = std::nextafter(x, 1.f);
+    return {x, probability(int(bin)) * float(size()), int(bin)};
+}
+
+int PiecewiseConstant1D::binOf(float x) const {
+    return std::clamp(int(x * float(size())), 0, size() - 1);
 }
 
 float PiecewiseConstant1D::pdf(float x) const {
-    const int bin = std::clamp(int(x * float(size())), 0, size() - 1);
-    return probability(bin) * float(size());
+    return probability(binOf(x)) * float(size());
 }
 
 float PiecewiseConstant1D::probability(int bin) const {
@@ -50,6 +74,8 @@ float PiecewiseConstant1D::probability(int bin) const {
 }
 
 PiecewiseConstant2D::PiecewiseConstant2D(std::span<const float> weights, int width, int height) {
+    if (width < 1 || height < 1 || weights.size() != std::size_t(width) * std::size_t(height))
+        throw std::invalid_argument("a two-dimensional distribution needs width x height weights");
     std::vector<float> sums;
     for (int y = 0; y < height; ++y) {
         rows_.emplace_back(weights.subspan(std::size_t(y) * std::size_t(width), std::size_t(width)));
@@ -70,9 +96,11 @@ float PiecewiseConstant2D::pdf(const V2f& p) const {
 }
 
 AliasTable::AliasTable(std::span<const double> weights) {
+    checkWeights(weights);
     const std::size_t n = weights.size();
     double total = 0;
-    for (double w : weights) total += w;
+    for (double w : weights)
+        total += w;
     bins_.resize(n);
     std::vector<double> scaled(n);
     std::vector<int> small, large;

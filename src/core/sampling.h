@@ -45,6 +45,7 @@ class PiecewiseConstant1D {
         int bin;
     };
     PiecewiseConstant1D() = default;
+    /// \throws std::invalid_argument when there are none, or one is negative or not finite
     explicit PiecewiseConstant1D(std::span<const float> weights);
 
     int size() const { return int(weights_.size()); }
@@ -56,6 +57,8 @@ class PiecewiseConstant1D {
     float probability(int bin) const;
 
   private:
+    int binOf(float x) const;
+
     std::vector<float> weights_;
     std::vector<double> cdf_; ///< size()+1 values from 0 to 1
     double integral_ = 0;
@@ -81,7 +84,8 @@ class PiecewiseConstant2D {
     PiecewiseConstant1D marginal_;
 };
 
-/// Discrete distribution with O(1) sampling (Walker 1977; Vose 1991); all zero means uniform.
+/// Discrete distribution with O(1) sampling (Walker 1977; Vose 1991); all zero means uniform. Of u's 24 bits the table's
+/// size takes some and the choice within a bin has the rest: keep tables well below 2^24 entries.
 class AliasTable {
   public:
     struct Sample {
@@ -89,6 +93,7 @@ class AliasTable {
         float probability;
     };
     AliasTable() = default;
+    /// \throws std::invalid_argument when there are none, or one is negative or not finite
     explicit AliasTable(std::span<const double> weights);
 
     int size() const { return int(bins_.size()); }

@@ -4,15 +4,25 @@
 
 namespace vitrine {
 
-Transform::Transform(const M44d& matrix) : matrix_(matrix) {
+namespace {
+
+bool isFinite(const M44d& matrix) {
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j)
-            if (!std::isfinite(matrix[i][j])) throw std::domain_error("the transformation is not finite");
+            if (!std::isfinite(matrix[i][j])) return false;
+    return true;
+}
+
+} // namespace
+
+Transform::Transform(const M44d& matrix) : matrix_(matrix) {
+    if (!isFinite(matrix)) throw std::domain_error("the transformation is not finite");
     try {
         inverse_ = matrix.gjInverse(true);
     } catch (const std::exception&) {
         throw std::domain_error("the transformation is singular");
     }
+    if (!isFinite(inverse_)) throw std::domain_error("the transformation is singular");
 }
 
 bool Transform::swapsHandedness() const {
