@@ -122,4 +122,20 @@ Image readImage(const std::string& path, ImageMetadata* metadata) {
     return image;
 }
 
+Image colourChannels(const Image& image, const std::vector<std::string>& names) {
+    std::vector<int> chosen;
+    for (const char* name : {"R", "G", "B"}) {
+        const auto found = std::find(names.begin(), names.end(), name);
+        if (found != names.end()) chosen.push_back(int(found - names.begin()));
+    }
+    if (chosen.size() != 3) chosen = image.channels < 3 ? std::vector<int>{0} : std::vector<int>{0, 1, 2};
+    Image result{image.width, image.height, int(chosen.size()), {}};
+    result.pixels.reserve(std::size_t(image.width) * std::size_t(image.height) * chosen.size());
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            for (int c : chosen)
+                result.pixels.push_back(image.at(x, y, c));
+    return result;
+}
+
 } // namespace vitrine

@@ -1,6 +1,7 @@
 #include "core/errors.h"
 #include "core/replace_file.h"
 #include "film/imageio.h"
+#include "film/primaries.h"
 #include "film/srgb.h"
 
 #include <OpenImageIO/filesystem.h>
@@ -80,12 +81,12 @@ Bytes encodeExr(const Picture& picture) {
         spec.full_width = picture.metadata.fullResolution.x;
         spec.full_height = picture.metadata.fullResolution.y;
     }
+    addMetadata(spec, picture.metadata);
     spec.attribute("compression", "zip");
     // OpenImageIO writes the present time unless there is a date; one of the wrong type is left out (and spoken of, in
     // builds that print debugging messages).
     OIIO::attribute("debug", 0);
     spec.attribute("DateTime", 0);
-    addMetadata(spec, picture.metadata);
     return encode(picture, spec, OIIO::TypeFloat, image.pixels.data());
 }
 
@@ -185,7 +186,8 @@ void writeImage(const std::string& path, const Image& image, const ImageMetadata
     if (!format.anyChannels && image.channels != 1 && image.channels != 3)
         throw FileError(path,
                         fmt::format("the format takes one channel or three, not {} (EXR takes any)", image.channels));
-    const Bytes bytes = format.encode({path, image, metadata});
+    const Bytes bytes =
+        format.encode({path, format.anyChannels ? image : inRec709(image, metadata.chromaticities), metadata});
     replaceFile(path, std::as_bytes(std::span(bytes)));
 }
 

@@ -35,4 +35,7 @@ void checkImageName(const std::string& path);
 /// that the file has, alpha not multiplied in. \throws FileError
 Image readImage(const std::string& path, ImageMetadata* metadata = nullptr);
 
+/// The channels named R, G and B; else, of three or more the first three, of fewer the first.
+Image colourChannels(const Image& image, const std::vector<std::string>& names);
+
 } // namespace vitrine
