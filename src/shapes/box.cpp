@@ -11,14 +11,18 @@ V3d unitAxis(int axis) {
     return e;
 }
 
+/// The largest coordinate. \throws std::invalid_argument unless pMin is less than pMax, both finite
+double checkedReach(const V3d& pMin, const V3d& pMax) {
+    requireRange("pmin.x", pMin.x, "pmax.x", pMax.x);
+    requireRange("pmin.y", pMin.y, "pmax.y", pMax.y);
+    requireRange("pmin.z", pMin.z, "pmax.z", pMax.z);
+    return std::max(maxAbs(pMin), maxAbs(pMax));
+}
+
 } // namespace
 
 Box::Box(const Transform& worldFromObject, bool reverseOrientation, const V3d& pMin, const V3d& pMax)
-    : min_(pMin), max_(pMax), placement_(worldFromObject, reverseOrientation, std::max(maxAbs(pMin), maxAbs(pMax))) {
-    static constexpr const char* lowNames[] = {"pmin.x", "pmin.y", "pmin.z"};
-    static constexpr const char* highNames[] = {"pmax.x", "pmax.y", "pmax.z"};
-    for (int axis = 0; axis < 3; ++axis)
-        requireRange(lowNames[axis], pMin[axis], highNames[axis], pMax[axis]);
+    : min_(pMin), max_(pMax), placement_(worldFromObject, reverseOrientation, checkedReach(pMin, pMax)) {
     const V3d size = pMax - pMin;
     area_ = 0;
     for (int axis = 0; axis < 3; ++axis) {
