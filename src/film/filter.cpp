@@ -1,5 +1,7 @@
 #include "film/filter.h"
 
+#include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 namespace vitrine {
@@ -92,22 +94,33 @@ Filter::Axis Filter::makeAxis(double radius) const {
     // A multiple of four: mitchell's pieces join at cell borders.
     const int count = std::clamp(4 * int(std::ceil(8 * radius)), 32, 4096);
     const double width = 2 * radius / count;
-    std::vector<float> magnitudes;
-    double sum = 0, absSum = 0;
+    std::vector<double> integrals;
+    double absSum = 0;
     for (int i = 0; i < count; ++i) {
         // The left half is made as the mirror image of the right one, so that no rounding shifts the picture.
         const int right = std::max(i, count - 1 - i) - count / 2;
-        const double integral = cellIntegral(right * width, (right + 1) * width, radius);
-        sum += integral;
-        absSum += std::abs(integral);
-        magnitudes.push_back(float(std::abs(integral)));
-        axis.weights.push_back(integral < 0 ? -1.f : 1.f);
+        integrals.push_back(cellIntegral(right * width, (right + 1) * width, radius));
+        absSum += std::abs(integrals.back());
     }
-    require(sum > 1e-6 * absSum, "the pixel filter's integral is not positive");
-    axis.integral = sum;
-    axis.cells = PiecewiseConstant1D(magnitudes);
-    for (float& w : axis.weights)
-        w *= float(absSum / sum);
+    axis.integral = std::accumulate(integrals.begin(), integrals.end(), 0.);
+    require(axis.integral > 1e-6 * absSum, "the pixel filter's integral is not positive");
+
+    double cdf = 0;
+    for (int i = 0; i < count; ++i) {
+        const double integral = integrals[std::size_t(i)], probability = std::abs(integral) / absSum;
+        if (probability == 0) continue;
+        const double weight = std::copysign(absSum / axis.integral, integral);
+        axis.cells.push_back({cdf, -radius + i * width, width / probability, float(weight)});
+        cdf += probability;
+    }
+    axis.guide.resize(std::size_t(2 * count));
+    std::size_t cell = 0;
+    for (std::size_t slice = 0; slice < axis.guide.size(); ++slice) {
+        const double u = double(slice) / double(axis.guide.size());
+        while (cell + 1 < axis.cells.size() && axis.cells[cell + 1].cdf <= u)
+            ++cell;
+        axis.guide[slice] = int(cell);
+    }
     return axis;
 }
 
@@ -158,8 +171,11 @@ Filter::Offset Filter::sampleAxis(const Axis& axis, float radius, float u) const
     default:
         break;
     }
-    const auto s = axis.cells.sample(u);
-    return {radius * (2 * s.x - 1), axis.weights[std::size_t(s.bin)]};
+    auto cell = std::size_t(axis.guide[std::size_t(u * float(axis.guide.size()))]);
+    while (cell + 1 < axis.cells.size() && axis.cells[cell + 1].cdf <= double(u))
+        ++cell;
+    const Cell& c = axis.cells[cell];
+    return {std::clamp(float(c.left + c.scale * (double(u) - c.cdf)), -radius, radius), c.weight};
 }
 
 Filter::Sample Filter::sample(const V2f& u) const {

@@ -1,7 +1,7 @@
 // Pixel filters, importance sampled: a sample belongs to one pixel, so pixels stay independent of each other.
 #pragma once
 
-#include "core/sampling.h"
+#include "core/vec.h"
 
 #include <vector>
 
@@ -40,12 +40,17 @@ class Filter {
     const Settings& settings() const { return settings_; }
 
   private:
-    /// One factor of the product. Gaussian, mitchell and sinc are sampled by cells of about 1/16 pixel (as pbrt-v4
-    /// does) that carry the factor's exact means, so that what is drawn has the filter's own integral.
+    /// One factor of the product. Gaussian, mitchell and sinc are sampled by cells of about 1/16 pixel (as pbrt-v4 does)
+    /// that carry the factor's exact means, so that what is drawn has the filter's own integral.
+    struct Cell {
+        double cdf;         ///< at its left border
+        double left, scale; ///< offset = left + scale (u - cdf)
+        float weight;       ///< sign x integral of |cells| / integral
+    };
     struct Axis {
         double integral = 1; ///< of the factor before it is scaled to integral 1
-        PiecewiseConstant1D cells;
-        std::vector<float> weights; ///< per cell: sign x integral of |cells| / integral
+        std::vector<Cell> cells;
+        std::vector<int> guide; ///< per equal slice of u: the cell that its beginning falls in (Chen & Asau 1974)
     };
     struct Offset {
         float x, weight;
