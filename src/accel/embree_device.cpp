@@ -25,7 +25,8 @@ bool countBytes(void*, ssize_t change, bool) {
 
 /// Never released: Embree's threads and the process end together.
 struct Device {
-    RTCDevice handle = rtcNewDevice(nullptr);
+    // No .embree3 file in the working directory may change the picture.
+    RTCDevice handle = rtcNewDevice("ignore_config_files=1");
     Device() {
         if (!handle) throw std::runtime_error("Embree cannot start on this machine");
         rtcSetDeviceErrorFunction(handle, keepMessage, nullptr);

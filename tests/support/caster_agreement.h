@@ -99,6 +99,15 @@ bool explainedByRounding(const Ray& ray, const Box3d& box, RandomStream& random,
     return false;
 }
 
+/// Whether the hit is a crossing, though perhaps not the first. Of rays in the plane of a box's face Embree's box test
+/// drops half, so that edges which they run along may be passed by.
+inline bool isTrueCrossing(const Caster& oracle, const Ray& ray, bool found, const CasterHit& hit) {
+    CasterHit truth;
+    const double before = hit.s * (1 - 1e-7);
+    return found && oracle.intersect(Ray{ray.at(before), ray.d}, truth) && truth.id == hit.id &&
+           std::abs(truth.s + before - hit.s) <= 1e-6 * hit.s;
+}
+
 inline void expectCastersAgree(const CasterInput& input, const Box3d& aim, std::uint64_t seed, int rays,
                                const Allowance& allowance) {
     const auto embree = makeEmbreeCaster(input), oracle = makeBruteForceCaster(input);
@@ -113,11 +122,12 @@ inline void expectCastersAgree(const CasterInput& input, const Box3d& aim, std::
         bool differs = false, explained = true;
         if (!sameHit(found, hit, trueFound, truth, allowance.distance)) {
             differs = true;
-            explained = allowance.distance > 0 && explainedByRounding(ray, aim, random, [&](const Ray& moved) {
-                            CasterHit other;
-                            const bool any = oracle->intersect(moved, other);
-                            return sameHit(found, hit, any, other, 1e-3);
-                        });
+            explained = allowance.distance > 0 && ((inFace && isTrueCrossing(*oracle, ray, found, hit)) ||
+                                                   explainedByRounding(ray, aim, random, [&](const Ray& moved) {
+                                                       CasterHit other;
+                                                       const bool any = oracle->intersect(moved, other);
+                                                       return sameHit(found, hit, any, other, 1e-3);
+                                                   }));
         }
         const bool shadow = embree->occluded(ray);
         if (shadow != oracle->occluded(ray)) {

@@ -76,7 +76,7 @@ TEST(Agreement, Planes) {
 
 TEST(Agreement, Triangles) {
     const CasterInput input =
-        of({onlyShape(soup(6, 20, 3)), onlyShape(icosphere(1), placed(V3d(0.3, 0, 0), V3d(0.4, 0.5, 0.6), 1))});
+        of({onlyShape(soup(6, 15, 3)), onlyShape(icosphere(0), placed(V3d(0.3, 0, 0), V3d(0.4, 0.5, 0.6), 1))});
     expectCastersAgree(input, boundsOf(input), 6, million, {});
 }
 
@@ -97,7 +97,7 @@ TEST(Agreement, Mixtures) {
     CasterInput input =
         of({onlyShape(cubeMesh(V3d(0, -2, 0), 1)),
             std::make_shared<Plane>(placed(V3d(0, -4, 0), V3d(1), 0.1), false, V3d(0, 1, 0), 0),
-            std::make_shared<Sphere>(Transform(), false, 0.8, -1, 1, 360), onlyShape(icosphere(1, V3d(2, 0, 0)))});
+            std::make_shared<Sphere>(Transform(), false, 0.8, -1, 1, 360), onlyShape(icosphere(0, V3d(2, 0, 0)))});
     input.groups.push_back(
         {{onlyShape(icosphere(0)), 10, true},
          {std::make_shared<Sphere>(placed(V3d(1, 1, 0), V3d(1), 0), true, 0.5, -1, 1, 360), 11, true},
