@@ -45,8 +45,8 @@ class RgbColorSpace {
 
     Rgb fromXyz(const Xyz& xyz) const;
     Xyz toXyz(const Rgb& rgb) const;
-    /// Coefficients of the reflectance spectrum of rgb, components in [0,1] (clamped): from a table for sRGB (some 30 ns),
-    /// by optimisation for the others (some 10 us; colours that no reflectance has get the nearest in CIELAB).
+    /// Coefficients of the reflectance spectrum of rgb, components in [0,1] (clamped): from a table for sRGB (some 0.1 us),
+    /// by optimisation for the others (some 20 us; colours that no reflectance has get the nearest in CIELAB).
     SigmoidPolynomial sigmoid(const Rgb& rgb) const;
     /// White point as a spectrum of luminance 1 (integral with cieY = cieYIntegral), as pbrt-v4.
     const DenseSpectrum& illuminant() const;

@@ -41,7 +41,12 @@ SpectrumPtr illuminant(float first, Values power) {
 
 void addIlluminants(Table& table) {
     table["stdillum-A"] = illuminant(300, illuminantA);
-    table["stdillum-D50"] = illuminant(300, illuminantD50);
+    // Not pbrt-v4's table, whose red half is too weak (xy 0.337, 0.358 instead of CIE's 0.3457, 0.3585).
+    const DenseSpectrum d50 = daylightSpectrum(5000);
+    std::vector<float> power;
+    for (int lambda = 360; lambda <= 830; lambda += 5)
+        power.push_back(d50(float(lambda)));
+    table["stdillum-D50"] = illuminant(360, power);
     table["stdillum-D65"] = illuminant(300, illuminantD65);
     table["illum-acesD60"] = illuminant(300, illuminantD60);
     const Values fluorescent[] = {illuminantF1, illuminantF2,  illuminantF3,  illuminantF4,

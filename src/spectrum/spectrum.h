@@ -107,7 +107,7 @@ double innerProduct(const Spectrum& a, const Spectrum& b);
 
 /// The spectrum known in scene files by `name` (metal-Ag-eta, glass-BK7, stdillum-D65 ...: all of pbrt-v4's but its camera
 /// sensors), or null. Illuminants are scaled to the luminance of a constant 1 (integral with cieY = cieYIntegral). Tables
-/// go on beyond their ends with the end's value. Glasses are Schott's formulas; pbrt-v4 has them as tables.
+/// go on beyond their ends with the end's value. Glasses are Schott's formulas (pbrt-v4 has tables of them), D50 is CIE's.
 SpectrumPtr namedSpectrum(std::string_view name);
 /// All names that namedSpectrum knows, sorted.
 const std::vector<std::string>& namedSpectra();
