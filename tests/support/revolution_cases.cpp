@@ -148,8 +148,10 @@ Ray randomRay(RandomStream& random, RayKind kind, const ProfilePoints& profile) 
         through(V3d(c.p.x * random.uniformDouble(), c.p.y, 0), up + level * logUniform(random, -14, -1));
         break;
     case RayKind::Joint: {
+        // Exactly through the joint, or a little beside it; never exactly through a free end.
         V2d target = segment.back();
-        if (&segment == &profile.back()) target.x -= randomSign(random) * logUniform(random, -8, -3); // the rim
+        if (&segment == &profile.back() || random.uniformDouble() < 0.7)
+            target += V2d(randomSign(random), randomSign(random)) * logUniform(random, -8, -3);
         through(turned(target, phi), direction);
         break;
     }

@@ -58,8 +58,27 @@ Polynomial powerBasis(const std::vector<V2d>& points, int axis, double shift) {
     return result;
 }
 
-/// The change of sign in (a, b), where f(a) and f(b) differ: bisection, then Newton.
+/// Narrows the bracket by what long double can see, if that is right.
+void narrow(const Polynomial& p, Real& a, Real& b, bool negativeAtA) {
+    std::vector<long double> c;
+    for (const Real& x : p)
+        c.push_back(static_cast<long double>(x));
+    long double lo = static_cast<long double>(a), hi = static_cast<long double>(b);
+    for (int i = 0; i < 60; ++i) {
+        const long double t = (lo + hi) / 2;
+        long double f = 0;
+        for (std::size_t k = c.size(); k-- > 0;)
+            f = f * t + c[k];
+        ((f < 0) == negativeAtA ? lo : hi) = t;
+    }
+    const Real low = Real(lo) - Real(1e-11), high = Real(hi) + Real(1e-11);
+    if (low > a && (valueAt(p, low) < 0) == negativeAtA) a = low;
+    if (high < b && (valueAt(p, high) < 0) != negativeAtA) b = high;
+}
+
+/// The change of sign in (a, b), where f(a) and f(b) differ: bisection and Newton.
 Real solve(const Polynomial& p, const Polynomial& d, Real a, Real b, bool negativeAtA) {
+    narrow(p, a, b, negativeAtA);
     Real t = (a + b) / 2;
     for (int i = 0; i < 200; ++i) {
         const Real f = valueAt(p, t);
@@ -74,8 +93,24 @@ Real solve(const Polynomial& p, const Polynomial& d, Real a, Real b, bool negati
     return t;
 }
 
+/// Whether the convex hull of the Bernstein coefficients excludes zero.
+bool isNeverZero(const Polynomial& p) {
+    std::vector<Real> c = p;
+    const std::size_t n = p.size() - 1;
+    Real binomial = 1;
+    for (std::size_t k = 0; k <= n; ++k) {
+        c[k] /= binomial;
+        binomial = binomial * (n - k) / (k + 1);
+    }
+    for (std::size_t level = 1; level <= n; ++level)
+        for (std::size_t i = n; i >= level; --i)
+            c[i] += c[i - 1];
+    return std::all_of(c.begin(), c.end(), [](const Real& x) { return x > 0; }) ||
+           std::all_of(c.begin(), c.end(), [](const Real& x) { return x < 0; });
+}
+
 std::vector<Real> signChanges(const Polynomial& p) {
-    if (p.size() < 2) return {};
+    if (p.size() < 2 || isNeverZero(p)) return {};
     const Polynomial d = derivativeOf(p);
     std::vector<Real> knots = signChanges(d);
     knots.insert(knots.begin(), Real(0));

@@ -15,11 +15,10 @@ PartSolver::PartSolver(const BezierCurve& curve, unsigned index)
     else
         middle_ = (y.front() + y.back()) / 2;
     std::vector<double> height = y;
-    xMax_ = heightMax_ = 0;
+    xMax_ = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
         height[i] -= middle_;
         xMax_ = std::max(xMax_, std::abs(x[i]));
-        heightMax_ = std::max(heightMax_, std::abs(height[i]));
     }
     for (int i = 0; i < points_; ++i) {
         const double b = bernstein::binomial(curve.degree(), i);

@@ -38,7 +38,8 @@ class PartSolver {
     Sample at(double t) const;
 
     void solveSteep(HitCollector& hits) const;
-    void isolateSteep(double* c, double ta, double tb, int depth, double noise, HitCollector& hits) const;
+    void isolateSteep(double* c, double ta, double tb, int depth, HitCollector& hits) const;
+    double steepNoise(const AxialRay& ray, double ta, double tb) const;
     void refineSteep(double ta, double tb, bool negativeAtA, double guess, HitCollector& hits) const;
 
     struct Branch; ///< of the hyperbola: one sign of g
@@ -59,7 +60,7 @@ class PartSolver {
     unsigned index_;
     int points_, coefficients_; ///< n + 1, 2n + 1
     double middle_;             ///< reference height, of the part's middle or its pole
-    double xMax_, heightMax_;   ///< of the control points: |x|, |y - middle|
+    double xMax_;               ///< of the control points: |x|
     std::vector<double> numbers_;
 };
 

@@ -12,8 +12,9 @@ struct PartSolver::Branch {
     const AxialRay& ray;
     double w;
     bool forward;
-    double noise; ///< of G's values
 
+    /// Rounding in G's values near (x, p).
+    double noise(double x, double p) const { return 0x1p-49 * (2 * std::abs(ray.vq) + std::abs(p) + std::abs(w) * x); }
     double value(double x, double p) const { return p - w * ray.halfWidth(x); }
     /// dS/dx = x / S; infinite where the ray is closest to the axis.
     double slope(double x) const {
@@ -70,16 +71,13 @@ void PartSolver::solveShallow(HitCollector& hits) const {
     }
     const double widest = std::abs(ray.v) * ray.halfWidth(std::max(xMax_, ray.e));
     if (low > widest || high < -widest) return;
-    constexpr double eps = std::numeric_limits<double>::epsilon();
-    const double noise =
-        8 * eps * (std::abs(middle_ - ray.oy) + heightMax_ + std::abs(ray.vq) + std::abs(ray.v) * xMax_);
     double ta = 0, tb = 1;
     if (!clipToReach(ray, x, p, ta, tb)) return;
     for (const bool forward : {true, false}) {
         double bx[maxPoints], bp[maxPoints];
         std::copy_n(x, points_, bx);
         std::copy_n(p, points_, bp);
-        isolateShallow(Branch{ray, forward ? ray.v : -ray.v, forward, noise}, bx, bp, ta, tb, maxDepth, hits);
+        isolateShallow(Branch{ray, forward ? ray.v : -ray.v, forward}, bx, bp, ta, tb, maxDepth, hits);
         if (hits.done()) return;
     }
 }
@@ -132,7 +130,8 @@ void PartSolver::isolateShallow(const Branch& branch, double* x, double* p, doub
     const bool changes = negativeAtA != (branch.value(x[last], p[last]) < 0);
     const auto [low, high] = branch.enclose(x, p, points_);
     if (!changes && (low > 0 || high < 0)) return;
-    if (depth == 0 || std::max(-low, high) <= branch.noise || branch.isMonotone(x, p, points_)) {
+    const bool isNoise = std::max(-low, high) <= std::max(branch.noise(x[0], p[0]), branch.noise(x[last], p[last]));
+    if (depth == 0 || isNoise || branch.isMonotone(x, p, points_)) {
         if (changes) refineShallow(branch, ta, tb, negativeAtA, hits);
         return;
     }
@@ -146,7 +145,7 @@ void PartSolver::isolateShallow(const Branch& branch, double* x, double* p, doub
 
 void PartSolver::refineShallow(const Branch& branch, double ta, double tb, bool negativeAtA, HitCollector& hits) const {
     const AxialRay& ray = branch.ray;
-    double t = (ta + tb) / 2, lastStep = 1;
+    double t = (ta + tb) / 2, lastStep = 0;
     for (int i = 1; i < 100; ++i) {
         const Sample c = at(t);
         const double g = branch.value(c.x, ray.P(c.y));
@@ -158,8 +157,8 @@ void PartSolver::refineShallow(const Branch& branch, double ta, double tb, bool 
         if (!newton) next = (ta + tb) / 2;
         const double step = std::abs(next - t);
         t = next;
-        if (step <= 0x1p-51 || (newton && step < 0x1p-27 && step < 0x1p-10 * lastStep)) break;
-        lastStep = step;
+        if (step <= 0x1p-51 || (newton && step < 0x1p-30 && step < 0x1p-10 * lastStep)) break;
+        lastStep = newton ? step : 0;
     }
     const Sample c = at(t);
     hits.offer(index_, t, c.x, c.y, branch.forward);

@@ -25,21 +25,32 @@ void PartSolver::solveSteep(HitCollector& hits) const {
         refineSteep(0, 1, c[0] < 0, (k - 1 + c[k - 1] / (c[k - 1] - c[k])) / last, hits);
         return;
     }
-    constexpr double eps = std::numeric_limits<double>::epsilon();
-    const double noise = 8 * eps * (h2 * sqr(heightMax_) + std::abs(linear) * heightMax_ + constant + v2 * sqr(xMax_));
-    isolateSteep(c, 0, 1, maxDepth, noise, hits);
+    isolateSteep(c, 0, 1, maxDepth, hits);
 }
 
-void PartSolver::isolateSteep(double* c, double ta, double tb, int depth, double noise, HitCollector& hits) const {
+/// Rounding in F's coefficients over [ta, tb]: of the terms' size there, which is largest at the ends of what is
+/// monotone. Next to a pole all terms vanish and F keeps its relative accuracy.
+double PartSolver::steepNoise(const AxialRay& ray, double ta, double tb) const {
+    constexpr double eps = std::numeric_limits<double>::epsilon();
+    const double p = std::abs(ray.P(middle_));
+    double largest = 0;
+    for (const double t : {ta, tb}) {
+        const Sample c = at(t);
+        largest = std::max(largest, sqr(ray.h * (c.y - middle_)) + sqr(ray.v * c.x));
+    }
+    return 16 * eps * (largest + sqr(p) + sqr(ray.v * ray.e));
+}
+
+void PartSolver::isolateSteep(double* c, double ta, double tb, int depth, HitCollector& hits) const {
     const int variations = bernstein::signVariations(c, coefficients_);
     if (variations == 0) return;
     const double tm = (ta + tb) / 2;
     bool certain = variations == 1 || depth == 0;
-    if (!certain) {
+    if (!certain && depth < maxDepth - 12) {
         double largest = 0;
         for (int k = 0; k < coefficients_; ++k)
             largest = std::max(largest, std::abs(c[k]));
-        certain = largest <= noise;
+        certain = largest <= steepNoise(hits.ray(), ta, tb);
     }
     if (certain) {
         if (variations % 2 == 1) refineSteep(ta, tb, c[0] < 0, tm, hits);
@@ -47,14 +58,14 @@ void PartSolver::isolateSteep(double* c, double ta, double tb, int depth, double
     }
     double left[maxCoefficients];
     bernstein::halve(c, left, coefficients_);
-    isolateSteep(left, ta, tm, depth - 1, noise, hits);
-    isolateSteep(c, tm, tb, depth - 1, noise, hits);
+    isolateSteep(left, ta, tm, depth - 1, hits);
+    isolateSteep(c, tm, tb, depth - 1, hits);
 }
 
 void PartSolver::refineSteep(double ta, double tb, bool negativeAtA, double guess, HitCollector& hits) const {
     const AxialRay& ray = hits.ray();
     const double v2 = sqr(ray.v);
-    double t = guess > ta && guess < tb ? guess : (ta + tb) / 2, lastStep = 1;
+    double t = guess > ta && guess < tb ? guess : (ta + tb) / 2, lastStep = 0;
     // Newton's method, kept in the bracket by bisection; F comes from the curve itself, not from its coefficients, so
     // the root is as exact as the point.
     for (int i = 1; i < 100; ++i) {
@@ -66,9 +77,9 @@ void PartSolver::refineSteep(double ta, double tb, bool negativeAtA, double gues
         if (!newton) next = (ta + tb) / 2;
         const double step = std::abs(next - t);
         t = next;
-        // Once steps shrink a thousandfold they shrink quadratically, and this one was the last but none.
-        if (step <= 0x1p-51 || (newton && step < 0x1p-27 && step < 0x1p-10 * lastStep)) break;
-        lastStep = step;
+        // Once Newton's steps shrink a thousandfold they shrink quadratically: this one was the last.
+        if (step <= 0x1p-51 || (newton && step < 0x1p-30 && step < 0x1p-10 * lastStep)) break;
+        lastStep = newton ? step : 0;
     }
     const Sample c = at(t);
     hits.offer(index_, t, c.x, c.y, (ray.P(c.y) < 0) == (ray.v < 0));
