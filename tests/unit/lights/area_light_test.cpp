@@ -82,7 +82,9 @@ TEST(AreaLight, SampleAgreesWithTheHitOfItsRay) {
             if (!sample) continue;
             ++samples;
             EXPECT_NEAR(sample->wi.length(), 1, 1e-6);
-            // Apart by the offset off the surface.
+            // It ends off the surface on p's side; so far the directions are apart.
+            const V3d end = p + sample->shadow.d;
+            EXPECT_GT(shape->isClosed() ? end.length() - 1 : end.z, 1e-16);
             EXPECT_LT((sample->shadow.d.normalized() - toDouble(sample->wi)).length(), 1e-5);
             const Ray ray{p, sample->shadow.d, infinityD};
             PrimitiveHit hit;

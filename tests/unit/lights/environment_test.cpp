@@ -93,6 +93,20 @@ TEST(EnvironmentGrid, NeighboursOverTheEdgesTouch) {
     }
 }
 
+TEST(EnvironmentGrid, EdgesLeadToWhereTheSphereGoesOn) {
+    const EnvironmentGrid square(Mapping::EqualArea, 4, 4);
+    EXPECT_EQ(square.texel(-1, 1), 2u * 4 + 0) << "mirrored in the edge's middle";
+    EXPECT_EQ(square.texel(4, 0), 3u * 4 + 3);
+    EXPECT_EQ(square.texel(1, -1), 2u);
+    EXPECT_EQ(square.texel(0, 4), 3u * 4 + 3);
+    EXPECT_EQ(square.texel(-1, -1), 3u * 4 + 3) << "all corners are -z";
+    const EnvironmentGrid latLong(Mapping::LatLong, 8, 4);
+    EXPECT_EQ(latLong.texel(-1, 2), 2u * 8 + 7) << "round";
+    EXPECT_EQ(latLong.texel(8, 2), 2u * 8 + 0);
+    EXPECT_EQ(latLong.texel(1, -1), 5u) << "over the pole to the opposite meridian";
+    EXPECT_EQ(latLong.texel(6, 4), 3u * 8 + 2);
+}
+
 TEST(EnvironmentImage, ConstantImageIsTheIlluminant) {
     RandomStream random(8);
     const auto& srgb = RgbColorSpace::srgb();
