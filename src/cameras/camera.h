@@ -22,11 +22,12 @@ struct CameraRay {
 
 /// A connection from a point of the scene to the camera, for light tracing.
 struct CameraConnection {
-    V3f wi;         ///< unit, from the point to the camera
-    V3d pLens;      ///< where on the lens
-    V2d raster;     ///< the pixel it lands on
-    float we = 0;   ///< importance of the ray; integrates to 1 over pixels' area and solid angle
-    float pdf = 0;  ///< per solid angle at the point
+    V3f wi;        ///< unit, from the point to the camera
+    V3d pLens;     ///< where on the lens
+    V2d raster;    ///< the pixel it lands on
+    float we = 0;  ///< importance of the ray: a mean over the whole picture, so its integral over lens, directions and
+                   ///< cosine at the lens is 1; the point adds throughput we / pdf to that mean
+    float pdf = 0; ///< per solid angle at the point
 };
 
 class Camera {
@@ -41,6 +42,7 @@ class Camera {
         float we = 0;
         V2d raster;
     };
+    /// \pre the ray starts on the lens (or film, or point)
     virtual Density density(const Ray& ray) const = 0;
     /// A point on the lens that sees p. Empty when p is out of the picture.
     virtual std::optional<CameraConnection> connect(const V3d& p, const V2f& u) const = 0;
