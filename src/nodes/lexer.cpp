@@ -9,18 +9,6 @@ namespace vitrine {
 
 namespace {
 
-/// Begin of the place in its file's text.
-std::size_t offsetOf(const Place& place) {
-    const std::string& text = place.file->text;
-    std::size_t begin = 0;
-    for (int line = 1; line < place.line; ++line) {
-        begin = text.find('\n', begin);
-        if (begin == std::string::npos) return text.size();
-        ++begin;
-    }
-    return std::min(text.size(), begin + std::size_t(std::max(1, place.column) - 1));
-}
-
 int clampedInt(std::ptrdiff_t n) {
     return int(std::min<std::ptrdiff_t>(n, std::numeric_limits<int>::max()));
 }
@@ -56,7 +44,7 @@ Lexer::Lexer(std::shared_ptr<const SourceFile> file)
     if (std::string_view(file_->text).starts_with("\xef\xbb\xbf")) p_ += 3;
 }
 
-Lexer::Lexer(const Place& from) : Lexer(from, std::string_view(from.file->text).substr(offsetOf(from))) {}
+Lexer::Lexer(const Place& from, std::size_t offset) : Lexer(from, std::string_view(from.file->text).substr(offset)) {}
 
 Lexer::Lexer(const Place& from, std::string_view text)
     : file_(from.file), p_(text.data()), end_(p_ + text.size()), lineStart_(p_),

@@ -33,8 +33,8 @@ struct Token {
 class Lexer {
   public:
     explicit Lexer(std::shared_ptr<const SourceFile> file);
-    /// Reads from the place on.
-    explicit Lexer(const Place& from);
+    /// Reads from a place on that lies at the byte `offset` of its file.
+    Lexer(const Place& from, std::size_t offset);
     /// Reads `text`, a stand-in of the same length for what the file has from the place on.
     Lexer(const Place& from, std::string_view text);
 
@@ -52,6 +52,10 @@ class Lexer {
     }
 
     const std::shared_ptr<const SourceFile>& file() const { return file_; }
+    /// Byte of the token's first character in the file's text.
+    std::size_t offset(const Token& token) const {
+        return std::size_t(token.text.data() - file_->text.data()) - (token.kind == Token::Kind::String);
+    }
     Place place(const Token& token) const { return Place{file_, token.line, token.column, token.length}; }
     /// The string's value. \throws SceneError at an escape that pbrt-v4 does not know
     std::string unescaped(const Token& string) const;

@@ -77,9 +77,13 @@ class ValueReader {
         lexer_.next();
     }
 
-    static bool looksLikeDirective(const Token& token) {
+    /// A word among numbers that is more likely the next directive, the bracket having been forgotten.
+    bool looksLikeDirective(const Token& token) const {
         double number = 0;
-        return token.kind == Token::Kind::Word && std::isupper(static_cast<unsigned char>(token.text[0])) &&
+        const bool wantsNumbers =
+            parameter_.type != ParameterType::Bool && !std::holds_alternative<Parameter::Strings>(parameter_.values);
+        return wantsNumbers && token.kind == Token::Kind::Word &&
+               std::isupper(static_cast<unsigned char>(token.text[0])) &&
                parseReal(token.text, number) != NumberFault::NotFinite;
     }
 
@@ -179,6 +183,7 @@ ParameterPtr readParameter(Lexer& lexer, const std::string& colorSpace) {
     parameter->type = parameterType(parts[0], place);
     parameter->name = parts[1];
     parameter->place = place;
+    parameter->offset = lexer.offset(token);
     parameter->colorSpace = colorSpace;
     ValueReader(lexer, *parameter).read();
     return parameter;

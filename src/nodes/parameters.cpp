@@ -33,7 +33,7 @@ std::size_t Parameter::size() const {
 
 Place Parameter::valuePlace(std::size_t index) const {
     if (!place) return place;
-    Lexer lexer(place);
+    Lexer lexer(place, offset);
     // A parameter of the command line has no declaration to skip.
     if (lexer.next().kind != Token::Kind::String) return place;
     if (lexer.peek().kind == Token::Kind::Open) lexer.next();

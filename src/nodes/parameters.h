@@ -42,12 +42,13 @@ struct Parameter {
 
     ParameterType type = ParameterType::Float;
     std::string name;
-    Place place; ///< of the quoted declaration
+    Place place;            ///< of the quoted declaration
+    std::size_t offset = 0; ///< byte in its file where it begins
     std::variant<Numbers, Integers, Strings> values;
     std::string colorSpace; ///< current where the parameter was written ("srgb", ...)
 
     std::size_t size() const;
-    /// Place of the `index`-th value, found by reading the text again: only for errors.
+    /// Place of the `index`-th value, found by reading the text again from the declaration on.
     Place valuePlace(std::size_t index) const;
 };
 
@@ -75,7 +76,8 @@ struct SpectrumNode {
 class ParameterSet {
   public:
     ParameterSet() = default;
-    /// `defaults` are those of the Attribute directive: they come second and may stay unread.
+    /// `defaults` are those of the Attribute directive: they come second and may stay unread. (One of the wrong type is an
+    /// error; pbrt-v4 passes over it.)
     ParameterSet(ParameterList own, std::shared_ptr<const ParameterList> defaults, std::string colorSpace, Place place);
 
     void setDefaults(std::shared_ptr<const ParameterList> defaults) { defaults_ = std::move(defaults); }

@@ -19,7 +19,7 @@ std::shared_ptr<const SourceFile> sourceOf(std::string text, const std::string& 
 } // namespace
 
 SceneNodes parseSceneFile(const std::string& fileName) {
-    const auto file = sourceOf(readWholeFile(fileName), fileName == "-" ? "<stdin>" : fileName);
+    const auto file = sourceOf(readWholeFile(fileName, true), fileName == "-" ? "<stdin>" : fileName);
     SceneReader reader(file->name, std::filesystem::path(fileName).parent_path().string());
     reader.openFile(fileName);
     reader.read(file);
@@ -61,6 +61,7 @@ ParameterPtr parseSetting(const std::string& text) {
     const bool typed = second.kind == Token::Kind::Word;
     setting->name = (typed ? second : first).text;
     setting->place = Place{file, 1, int(equals) + 2, int(text.size() - equals - 1)};
+    setting->offset = equals + 1;
     setting->colorSpace = "srgb";
     setting->values = Parameter::Strings{text.substr(equals + 1)};
     return typed ? withType(*setting, parameterType(first.text, key.place(first))) : setting;

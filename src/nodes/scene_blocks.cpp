@@ -13,7 +13,7 @@ namespace vitrine {
 namespace {
 
 /// Each Attribute directive copies the list: without a bound a hostile file could make that quadratic.
-constexpr std::size_t maxDefaults = 1000;
+constexpr std::size_t maxDefaults = 100;
 
 constexpr const char* oldBlocks = "TransformBegin and TransformEnd are deprecated";
 constexpr const char* oldBlocksHint = "they mean AttributeBegin and AttributeEnd";

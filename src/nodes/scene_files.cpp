@@ -12,8 +12,8 @@ namespace vitrine {
 
 namespace {
 
-constexpr std::size_t maxDepth = 100;    ///< of nested files
-constexpr std::size_t maxFiles = 100000; ///< two lines a file that include twice each would double this at every level
+constexpr std::size_t maxDepth = 100;   ///< of nested files
+constexpr std::size_t maxFiles = 20000; ///< two lines a file that include twice each would double this at every level
 
 } // namespace
 

@@ -19,28 +19,28 @@ struct GzClose {
 using GzHandle = std::unique_ptr<gzFile_s, GzClose>;
 
 /// A device such as /dev/zero never ends; a pipe does.
-void refuseDevices(const std::string& fileName) {
+void checkKind(const std::string& fileName, bool allowPipe) {
     std::error_code error;
     const auto status = std::filesystem::status(fileName, error);
     if (!std::filesystem::exists(status)) throw FileError(fileName, "no such file");
     if (std::filesystem::is_directory(status)) throw FileError(fileName, "is a directory");
-    if (!std::filesystem::is_regular_file(status) && !std::filesystem::is_fifo(status))
+    if (!std::filesystem::is_regular_file(status) && !(allowPipe && std::filesystem::is_fifo(status)))
         throw FileError(fileName, "is not a regular file");
 }
 
 } // namespace
 
-std::string readWholeFile(const std::string& fileName) {
+std::string readWholeFile(const std::string& fileName, bool allowPipe) {
     const bool standardInput = fileName == "-";
-    if (!standardInput) refuseDevices(fileName);
+    if (!standardInput) checkKind(fileName, allowPipe);
     errno = 0;
     // zlib hands plain files through as they are.
     const GzHandle file(standardInput ? gzdopen(0, "rb") : gzopen(fileName.c_str(), "rb"));
     if (!file) throw FileError(fileName, errno ? std::strerror(errno) : "cannot be opened");
-    constexpr unsigned chunk = 1u << 20;
-    gzbuffer(file.get(), chunk);
+    gzbuffer(file.get(), 1u << 17);
     std::string text;
-    for (;;) {
+    // Most files are small; the pieces grow with those that are not.
+    for (unsigned chunk = 1u << 14;; chunk = std::min(2 * chunk, 1u << 26)) {
         const std::size_t size = text.size();
         text.resize(size + chunk);
         const int got = gzread(file.get(), text.data() + size, chunk);
