@@ -61,7 +61,7 @@ Box3d Revolution::bounds(unsigned prim) const {
         const auto& m = placement_.worldFromObject().matrix();
         for (int i = 0; i < 3; ++i) {
             const double reach = ring.rMax * std::sqrt(sqr(m[0][i]) + sqr(m[2][i]));
-            const auto [low, high] = std::minmax(ring.yMin * m[1][i], ring.yMax * m[1][i]);
+            const auto [low, high] = std::minmax({ring.yMin * m[1][i], ring.yMax * m[1][i]});
             box.min[i] = m[3][i] + low - reach;
             box.max[i] = m[3][i] + high + reach;
         }
