@@ -61,10 +61,8 @@ void ProgressReport::bar(const vitrine::SessionProgress& p) {
     if (std::isfinite(p.error)) text += fmt::format("  relMSE {:.2g}", p.error);
     const int room = std::clamp(terminalWidth() - int(text.size()) - 4, 0, 40);
     const int filled = int(std::floor(p.fraction * room));
-    const std::string line =
-        room >= 5 ? "[" + std::string(std::size_t(filled), '=') + std::string(std::size_t(room - filled), ' ') + "]" + text
-                  : text;
-    fmt::print(stderr, "\r{}\x1b[K", line);
+    if (room >= 5) text = fmt::format("[{:=<{}}{:{}}]{}", "", filled, "", room - filled, text);
+    fmt::print(stderr, "\r{}\x1b[K", text);
     std::fflush(stderr);
     lineOpen_ = true;
 }

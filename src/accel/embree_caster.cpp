@@ -184,7 +184,10 @@ bool EmbreeCaster::intersect(const Ray& ray, CasterHit& hit) const {
             found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
             rtcIntersect1(world_->scene(), &query.context, &found);
             again = found.hit.geomID != RTC_INVALID_GEOMETRY_ID && !takeMeshHit(query, found);
-            found.ray.tnear = std::nextafter(found.ray.tfar, infinity);
+            // Embree takes denormal numbers for 0 and would find a crossing at 0 for ever.
+            const float next = std::nextafter(found.ray.tfar, infinity);
+            const float least = 2 * std::max(found.ray.tnear, std::numeric_limits<float>::min());
+            found.ray.tnear = next > found.ray.tnear && next >= std::numeric_limits<float>::min() ? next : least;
         }
     }
     if (!hit.shape) return false;
@@ -200,7 +203,7 @@ bool EmbreeCaster::takeMeshHit(Query& query, const RTCRayHit& found) const {
     const PrimitiveRef ref = group.find(found.hit.geomID, found.hit.primID);
     const Ray& ray = query.rayIn(instance);
     PrimitiveHit hit;
-    if (!ref.shape->intersect(ref.prim, ray, 0, infinityD, hit)) {
+    if (!ref.shape->solve(ref.prim, ray, hit)) {
         // The double ray passes just beside the primitive, on whose edge Embree let no ray slip through; or the
         // crossing lies behind.
         double u = std::clamp(double(found.hit.u), 0., 1.), v = std::clamp(double(found.hit.v), 0., 1.);

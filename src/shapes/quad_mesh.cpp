@@ -6,8 +6,9 @@ namespace vitrine {
 
 namespace {
 
-/// pbrt's bound of the solid angle below which a rectangle is sampled by area.
-constexpr double minSphericalArea = 1e-4;
+/// A rectangle counts as near within so many of its diagonals. Farther away it fills less than 1/32 steradian, and the
+/// inverse square of the distance varies by less than a quarter to either side over it.
+constexpr double nearDiagonals = 4;
 /// How far from a rectangle one may be to be sampled as one.
 constexpr double rectangleTolerance = 1e-5;
 
@@ -45,8 +46,11 @@ QuadMesh::QuadMesh(std::shared_ptr<const MeshVertices> vertices, std::vector<std
         const auto [p] = corners(0);
         const V3d ex = p[1] - p[0], ey = p[3] - p[0];
         const double width = ex.length(), height = ey.length();
-        isRectangle_ = width > 0 && height > 0 && std::abs(ex.dot(ey)) <= rectangleTolerance * width * height &&
-                       (p[2] - p[1] - ey).length() <= rectangleTolerance * std::min(width, height);
+        const bool isRectangle = width > 0 && height > 0 &&
+                                 std::abs(ex.dot(ey)) <= rectangleTolerance * width * height &&
+                                 (p[2] - p[1] - ey).length() <= rectangleTolerance * std::min(width, height);
+        center_ = (p[0] + p[2]) / 2;
+        if (isRectangle) nearDistance2_ = sqr(nearDiagonals) * (p[2] - p[0]).length2();
     }
     if (primitiveCount() > maxReadyFacets) return;
     facets_.reserve(primitiveCount());
@@ -76,6 +80,11 @@ QuadMesh::QuadFacet QuadMesh::facet(unsigned prim) const {
         addTexture(face(prim), V2d(0.5, 0.5), c, point);
         result.dpdu = point.dpdu;
         result.dpdv = point.dpdv;
+        const V3d eu = p[1] - p[0], ev = p[3] - p[0], normal = eu.cross(ev);
+        // Scaled as intersectTriangle does, so that ties between coplanar faces are ties.
+        result.normal = normal / maxAbs(normal);
+        result.toU = ev.cross(normal) / normal.length2();
+        result.toV = normal.cross(eu) / normal.length2();
     }
     return result;
 }
@@ -92,6 +101,18 @@ bool QuadMesh::intersect(unsigned prim, const Ray& ray, double sMin, double sMax
         return false;
     hit.prim = prim;
     return true;
+}
+
+bool QuadMesh::solve(unsigned prim, const Ray& ray, PrimitiveHit& hit) const {
+    if (facets_.empty() || !facets_[prim].parallelogram) return MeshShape::solve(prim, ray, hit);
+    const QuadFacet& facet = facets_[prim];
+    const V3d toCorner = corner(face(prim)[0]) - ray.o;
+    hit.s = facet.normal.dot(toCorner) / facet.normal.dot(ray.d);
+    const V3d q = ray.d * hit.s - toCorner;
+    hit.u = std::clamp(q.dot(facet.toU), 0., 1.);
+    hit.v = std::clamp(q.dot(facet.toV), 0., 1.);
+    hit.prim = prim;
+    return hit.s > 0 && hit.s < infinityD;
 }
 
 V2d QuadMesh::patchParameters(const Corners& c, const V3d& p) const {
@@ -113,8 +134,29 @@ void QuadMesh::addTexture(const std::uint32_t* v, const V2d& at, const Corners& 
     texture.derivatives(dpdu, dpdv, point.dpdu, point.dpdv);
 }
 
+bool QuadMesh::isPlainParallelogram(unsigned prim) const {
+    return !facets_.empty() && facets_[prim].parallelogram && mesh().uv.empty() && mesh().n.empty();
+}
+
+SurfacePoint QuadMesh::plainPointAt(const PrimitiveHit& hit) const {
+    const QuadFacet& facet = facets_[hit.prim];
+    const std::uint32_t* v = face(hit.prim);
+    const V3d p0 = corner(v[0]);
+    SurfacePoint point;
+    point.p = p0 + (corner(v[1]) - p0) * hit.u + (corner(v[3]) - p0) * hit.v;
+    point.error = originError(point.p) + facet.error;
+    point.ng = mesh().flips ? -facet.ng : facet.ng;
+    point.ns = point.ng;
+    point.uv = V2f(float(hit.u), float(hit.v));
+    point.dpdu = facet.dpdu;
+    point.dpdv = facet.dpdv;
+    point.dndu = point.dndv = V3f(0, 0, 0);
+    return point;
+}
+
 SurfacePoint QuadMesh::pointAt(const Ray&, const PrimitiveHit& hit) const {
     const std::uint32_t* v = face(hit.prim);
+    if (isPlainParallelogram(hit.prim)) return plainPointAt(hit);
     const Corners c = corners(hit.prim);
     const auto& p = c.p;
     const QuadFacet facet = facets_.empty() ? this->facet(hit.prim) : facets_[hit.prim];
@@ -126,14 +168,8 @@ SurfacePoint QuadMesh::pointAt(const Ray&, const PrimitiveHit& hit) const {
     point.ns = point.ng;
     point.dndu = point.dndv = V3f(0, 0, 0);
     V2d at(hit.u, hit.v);
-    if (facet.parallelogram && mesh().uv.empty()) {
-        point.uv = V2f(at);
-        point.dpdu = facet.dpdu;
-        point.dpdv = facet.dpdv;
-    } else {
-        if (!facet.parallelogram) at = patchParameters(c, point.p);
-        addTexture(v, at, c, point);
-    }
+    if (!facet.parallelogram) at = patchParameters(c, point.p);
+    addTexture(v, at, c, point);
     if (!mesh().n.empty()) {
         const auto& n = mesh().n;
         const V3f corners[4] = {n[v[0]], n[v[1]], n[v[3]], n[v[2]]};
@@ -175,10 +211,11 @@ std::optional<ShapeSample> QuadMesh::sample(const V2f& u) const {
 }
 
 std::optional<SphericalRectangle> QuadMesh::seenRectangle(const V3d& from) const {
-    if (!isRectangle_) return std::nullopt;
+    if (!((from - center_).length2() < nearDistance2_)) return std::nullopt;
     const auto [p] = corners(0);
     const SphericalRectangle seen(from, p[0], p[1] - p[0], p[3] - p[0]);
-    if (!(seen.solidAngle() > minSphericalArea)) return std::nullopt;
+    // In the rectangle's plane nothing is seen of it.
+    if (!(seen.solidAngle() > 0)) return std::nullopt;
     return seen;
 }
 

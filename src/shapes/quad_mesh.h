@@ -16,9 +16,11 @@ class QuadMesh final : public MeshShape {
 
     GeometryKind kind() const override { return GeometryKind::Quads; }
     bool intersect(unsigned prim, const Ray& ray, double sMin, double sMax, PrimitiveHit& hit) const override;
+    bool solve(unsigned prim, const Ray& ray, PrimitiveHit& hit) const override;
     SurfacePoint pointAt(const Ray& ray, const PrimitiveHit& hit) const override;
     std::optional<ShapeSample> sample(const V2f& u) const override;
-    /// A single rectangle that is seen large enough is sampled by its solid angle (Urena, Fajardo & King 2013).
+    /// A single rectangle that is near is sampled by its solid angle (Urena, Fajardo & King 2013). Seen from afar all its
+    /// points are about alike, and sampling by area is several times quicker.
     std::optional<ShapeSample> sample(const V3d& from, const V2f& u) const override;
     using Shape::pdf;
     float pdf(const V3d& from, const PrimitiveHit& hit, const SurfacePoint& point) const override;
@@ -36,17 +38,24 @@ class QuadMesh final : public MeshShape {
     /// A facet and whether the quad is a parallelogram, on which Embree's (u,v) are the patch's.
     struct QuadFacet : Facet {
         bool parallelogram = false;
+        // Of a parallelogram: its normal, of any length, and what u and v are the products of q - p0 with.
+        V3d normal{0, 0, 0}, toU{0, 0, 0}, toV{0, 0, 0};
     };
+    /// The common case: a ready facet without texture coordinates or shading normals of its own.
+    bool isPlainParallelogram(unsigned prim) const;
+    SurfacePoint plainPointAt(const PrimitiveHit& hit) const;
     Corners corners(unsigned prim) const;
     QuadFacet facet(unsigned prim) const;
     /// The patch's (u,v) of a point of the quad.
     V2d patchParameters(const Corners& c, const V3d& p) const;
     void addTexture(const std::uint32_t* v, const V2d& at, const Corners& c, SurfacePoint& point) const;
-    /// Empty unless the mesh is one rectangle that is seen large enough from `from`.
+    /// Empty unless the mesh is one rectangle that is near to `from`.
     std::optional<SphericalRectangle> seenRectangle(const V3d& from) const;
 
     std::vector<QuadFacet> facets_; ///< of small meshes; large ones make them anew at each hit
-    bool isRectangle_ = false;
+    // Of a mesh that is one rectangle; else the distance is zero.
+    V3d center_{0, 0, 0};
+    double nearDistance2_ = 0;
 };
 
 /// Whether four corners, in order around the quad, lie in a plane as far as rounding them to float allows, and span a

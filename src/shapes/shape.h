@@ -58,6 +58,11 @@ class Shape {
     /// The first crossing of primitive `prim` with s in (sMin, sMax), exclusive. Must work for every ray, in double;
     /// rays with zero, NaN or infinite components meet nothing. For Triangles and Quads this is the oracle of Embree.
     virtual bool intersect(unsigned prim, const Ray& ray, double sMin, double sMax, PrimitiveHit& hit) const = 0;
+    /// Triangles and Quads: the crossing of a ray of which Embree says that it meets the primitive, solved in double; it may
+    /// lie just beside the edges. False when it lies behind the origin, or is not to be found like this.
+    virtual bool solve(unsigned prim, const Ray& ray, PrimitiveHit& hit) const {
+        return intersect(prim, ray, 0, infinityD, hit);
+    }
     /// Whether there is any crossing in (sMin, sMax); for a shape with a quicker way than the first one.
     virtual bool occludes(unsigned prim, const Ray& ray, double sMin, double sMax) const {
         PrimitiveHit hit;

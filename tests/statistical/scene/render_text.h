@@ -1,0 +1,46 @@
+// Renders scene texts for tests of known radiance.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace vitrine {
+
+/// Mean of the whole picture per channel with its standard error, from independent seeds.
+struct Measured {
+    double mean[3], error[3];
+};
+
+inline Measured measure(const std::string& text, std::uint64_t passes = 256, int runs = 8) {
+    std::vector<std::array<double, 3>> means;
+    for (int run = 0; run < runs; ++run) {
+        Overrides overrides;
+        overrides.seed = std::uint64_t(1000 + run);
+        const Scene scene = loadSceneString(text, "<test>", overrides);
+        Film film(scene.film);
+        RenderCounters counters;
+        scene.integrator->addPasses(scene.world, {0, passes}, film, counters);
+        if (film.badSamples() > 0) throw std::runtime_error("a sample was not finite");
+        const Image image = film.image();
+        std::array<double, 3> mean{};
+        for (std::size_t i = 0; i < image.pixels.size(); ++i)
+            mean[i % 3] += double(image.pixels[i]) * 3 / double(image.pixels.size());
+        means.push_back(mean);
+    }
+    Measured m{};
+    for (int c = 0; c < 3; ++c) {
+        for (const auto& v : means) m.mean[c] += v[std::size_t(c)] / runs;
+        for (const auto& v : means) m.error[c] += (v[std::size_t(c)] - m.mean[c]) * (v[std::size_t(c)] - m.mean[c]);
+        m.error[c] = std::sqrt(m.error[c] / (double(runs) * (runs - 1)));
+    }
+    return m;
+}
+
+/// Expects grey radiance `expected`, within 5 standard errors and the rounding of RGB uplift (0.1 %).
+#define EXPECT_RADIANCE(text, expected)                                                                               \
+    do {                                                                                                               \
+        const Measured measured = measure(text);                                                                       \
+        for (int c = 0; c < 3; ++c)                                                                                    \
+            EXPECT_NEAR(measured.mean[c], expected, 5 * measured.error[c] + 1e-3 * (expected)) << "channel " << c;     \
+    } while (false)
+
+} // namespace vitrine
