@@ -18,6 +18,20 @@ float conePdf(double distance2, double radius2) {
     return std::isfinite(pdf) ? pdf : 0;
 }
 
+/// atan2 for y >= 0 to about 2e-7, without branches and in a fifth of the library's time (Abramowitz & Stegun 1964,
+/// eq. 4.4.49).
+float angleOf(float y, float x) {
+    const float absX = std::abs(x);
+    const float t = std::min(y, absX) / std::max({y, absX, std::numeric_limits<float>::min()}), z = t * t;
+    float series = 0.0028662257f;
+    for (const float c : {-0.0161657367f, 0.0429096138f, -0.0752896400f, 0.1065626393f, -0.1420889944f, 0.1999355085f,
+                          -0.3333314528f, 1.f})
+        series = series * z + c;
+    // Mirrored at the diagonal, then at the y axis.
+    const float octant = pi / 4 - (pi / 4 - t * series) * std::copysign(1.f, absX - y);
+    return pi / 2 - (pi / 2 - octant) * std::copysign(1.f, x);
+}
+
 /// Some unit vector perpendicular to the unit vector n.
 V3d perpendicular(const V3d& n) {
     const V3d v = std::abs(n.x) > 0.7 ? V3d(-n.y, n.x, 0) : V3d(0, -n.z, n.y);
@@ -43,6 +57,11 @@ Sphere::Sphere(const Transform& worldFromObject, bool reverseOrientation, double
     center_ = worldFromObject.point(V3d(0, 0, 0));
     worldRadius_ = radius * placement_.scale();
     worldRadius2_ = sqr(worldRadius_);
+    for (int axis = 0; axis < 3; ++axis) {
+        V3d e(0, 0, 0);
+        e[axis] = 1 / placement_.scale();
+        axes_[std::size_t(axis)] = toFloat(worldFromObject.vector(e));
+    }
     const double maxAxis = radius * placement_.maxStretch(), minAxis = radius * placement_.minStretch();
     const double maxCurvatureRadius = isRound_ ? worldRadius_ : sqr(maxAxis) / minAxis;
     // A line that starts on a circle of radius r with slope t into it dips r t^2 / 2 deep; twice that.
@@ -147,21 +166,27 @@ ObjectPoint Sphere::describe(const V3d& p) const {
 }
 
 SurfacePoint Sphere::roundPoint(const V3d& normal) const {
-    const Transform& objectFromWorld = placement_.objectFromWorld();
-    const Transform& worldFromObject = placement_.worldFromObject();
-    const ObjectPoint local = describe(objectFromWorld.vector(normal * worldRadius_));
-    const double inverse = (placement_.flips() ? -1 : 1) / worldRadius_;
     SurfacePoint result;
     result.p = center_ + normal * worldRadius_;
     // Eight roundings of the world coordinates that subtraction of the centre cancels.
     result.error = grazingError_ + 0x1p-50 * maxAbs(result.p);
     result.ng = result.ns = toFloat(placement_.flips() ? -normal : normal);
-    result.uv = V2f(local.uv);
-    const V3d dpdu = worldFromObject.vector(local.dpdu), dpdv = worldFromObject.vector(local.dpdv);
-    result.dpdu = toFloat(dpdu);
-    result.dpdv = toFloat(dpdv);
-    result.dndu = toFloat(dpdu * inverse);
-    result.dndv = toFloat(dpdv * inverse);
+
+    // Parameters and derivatives as in describe(), for the unit sphere turned as the object is; in single precision,
+    // which is all that is wanted of them and several times quicker.
+    const auto& [x, y, z] = axes_;
+    const V3f n = toFloat(normal);
+    const V3f local(n.dot(x), n.dot(y), n.dot(z));
+    const float rho = std::sqrt(sqr(local.x) + sqr(local.y));
+    const float cosPhi = rho > 0 ? local.x / rho : 1, sinPhi = rho > 0 ? local.y / rho : 0;
+    const float halfTurn = angleOf(std::abs(local.y), local.x) * (invPi / 2);
+    result.uv = V2f(local.y < 0 ? 1 - halfTurn : halfTurn, std::max(0.f, 1 - angleOf(rho, local.z) * invPi));
+    const V3f dndu = (y * local.x - x * local.y) * (2 * pi);
+    const V3f dndv = (z * rho - (x * cosPhi + y * sinPhi) * local.z) * pi;
+    result.dpdu = dndu * float(worldRadius_);
+    result.dpdv = dndv * float(worldRadius_);
+    result.dndu = placement_.flips() ? -dndu : dndu;
+    result.dndv = placement_.flips() ? -dndv : dndv;
     return result;
 }
 
@@ -201,10 +226,15 @@ float Sphere::pdf(const PrimitiveHit& hit) const {
     return float(1 / (phi_.max() * radius_ * (zMax_ - zMin_) * placement_.areaStretch(n)));
 }
 
+bool Sphere::isOutside(double distance2) const {
+    // Points of the sphere itself may lie a rounding outside; from there the cone would show nothing but themselves.
+    return isRound_ && distance2 > worldRadius2_ * (1 + 1e-9);
+}
+
 std::optional<ShapeSample> Sphere::sample(const V3d& from, const V2f& u) const {
     const V3d toFrom = from - center_;
     const double distance2 = toFrom.length2();
-    if (!isRound_ || !(distance2 > worldRadius2_)) return Shape::sample(from, u);
+    if (!isOutside(distance2)) return Shape::sample(from, u);
 
     ShapeSample result;
     result.pdf = conePdf(distance2, worldRadius2_);
@@ -226,7 +256,9 @@ std::optional<ShapeSample> Sphere::sample(const V3d& from, const V2f& u) const {
 
 float Sphere::pdf(const V3d& from, const PrimitiveHit& hit, const SurfacePoint& point) const {
     const double distance2 = (from - center_).length2();
-    if (!isRound_ || !(distance2 > worldRadius2_)) return Shape::pdf(from, hit, point);
+    if (!isOutside(distance2)) return Shape::pdf(from, hit, point);
+    // The far side, met through a near side that lets light pass, is never drawn.
+    if ((point.p - center_).dot(from - point.p) < 0) return 0;
     return conePdf(distance2, worldRadius2_);
 }
 

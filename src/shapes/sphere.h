@@ -5,6 +5,8 @@
 #include "shapes/placement.h"
 #include "shapes/quadratic.h"
 
+#include <array>
+
 namespace vitrine {
 
 /// Parameters as in pbrt-v4:
@@ -43,6 +45,8 @@ class Sphere final : public Shape {
     bool cross(const Ray& ray, double sMin, double sMax, double& s, V3d& pObject) const;
     bool covers(const V3d& pObject) const;
     ObjectPoint describe(const V3d& pObject) const;
+    /// Of a round sphere, by the square of the distance from its centre: whether it is sampled by its cone.
+    bool isOutside(double distance2) const;
     SurfacePoint roundPoint(const V3d& normal) const;
     double integrateArea() const;
 
@@ -50,6 +54,7 @@ class Sphere final : public Shape {
     bool isRound_ = false;
     V3d center_{0, 0, 0};
     double worldRadius_ = 0, worldRadius2_ = 0;
+    std::array<V3f, 3> axes_; ///< the object's, of unit length
 
     bool isFull_;
     double radius_, zMin_, zMax_;
