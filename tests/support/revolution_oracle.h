@@ -24,7 +24,7 @@ std::vector<OracleHit> exactHits(const ProfilePoints& profile, const Ray& ray, c
 /// with a search for the least distance wherever the table suggests one.
 class ScanOracle {
   public:
-    explicit ScanOracle(const ProfilePoints& profile, int samplesPerSegment = 1024);
+    explicit ScanOracle(const ProfilePoints& profile, int samplesPerSegment = 300);
     std::vector<OracleHit> hits(const Ray& ray) const;
 
   private:

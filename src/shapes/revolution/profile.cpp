@@ -74,6 +74,7 @@ void Profile::prepare() {
         for (const V2d& p : segment.points())
             size_ = std::max({size_, std::abs(p.x), std::abs(p.y)});
     snapEnds();
+    checkRadius();
     divide();
     if (closed_) {
         double area = 0; // the closing line runs along the axis, where x dy = 0
@@ -93,8 +94,23 @@ void Profile::snapEnds() {
     segments_.back() = withEnds(segments_.back(), segments_.back().first(), last);
 }
 
+/// The least radius of a segment lies at an end or where x' changes sign.
+void Profile::checkRadius() const {
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+        std::vector<double> candidates = segments_[i].extrema(0);
+        candidates.insert(candidates.end(), {0., 1.});
+        for (const double t : candidates) {
+            const double x = segments_[i].point(t).x;
+            if (x < -endTolerance * size_)
+                throw std::invalid_argument(fmt::format(
+                    "the radius x(t) of segment {} is {:.6g} at t = {:.6g}; it must not be negative", i, x, t));
+        }
+    }
+}
+
 void Profile::divide() {
     constexpr int maxHalvings = 5;
+    constexpr double tiny = 1e-9; // a curve that turns within this of a cut is monotone but for its square
     const double count = double(segments_.size());
     for (std::size_t i = 0; i < segments_.size(); ++i) {
         const BezierCurve& segment = segments_[i];
@@ -104,16 +120,14 @@ void Profile::divide() {
         turns.push_back(1);
         std::sort(turns.begin(), turns.end());
         std::vector<double> cuts{0.};
+        // Curves that join smoothly turn at the joint, or by rounding next to it.
+        std::erase_if(turns, [](double t) { return t < tiny || (t > 1 - tiny && t < 1); });
         for (const double turn : turns)
-            if (turn - cuts.back() > 0) appendCuts(segment, cuts.back(), turn, maxHalvings, cuts);
+            if (turn - cuts.back() > tiny) appendCuts(segment, cuts.back(), turn, maxHalvings, cuts);
         V2d start = segment.first();
         for (std::size_t k = 1; k < cuts.size(); ++k) {
             const BezierCurve part = segment.part(cuts[k - 1], cuts[k]);
             V2d end = cuts[k] == 1 ? segment.last() : part.last();
-            if (std::min(start.x, end.x) < -endTolerance * size_)
-                throw std::invalid_argument(
-                    fmt::format("the radius x(t) of segment {} is {:.6g} at t = {:.6g}; it must not be negative", i,
-                                std::min(start.x, end.x), start.x < end.x ? cuts[k - 1] : cuts[k]));
             if (cuts[k] != 1) end.x = std::max(end.x, 0.);
             parts_.push_back(
                 {withEnds(part, start, end), int(i), (double(i) + cuts[k - 1]) / count, (double(i) + cuts[k]) / count});

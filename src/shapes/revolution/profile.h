@@ -44,6 +44,7 @@ class Profile {
   private:
     void prepare();
     void snapEnds();
+    void checkRadius() const;
     void divide();
 
     std::vector<BezierCurve> segments_;

@@ -55,34 +55,40 @@ double Revolution::integrateArea() const {
 }
 
 Box3d Revolution::bounds(unsigned prim) const {
-    const Ring& ring = roots_.ring(prim);
     Box3d box;
-    if (phi_.isFull()) {
-        const auto& m = placement_.worldFromObject().matrix();
-        for (int i = 0; i < 3; ++i) {
-            const double reach = ring.rMax * std::sqrt(sqr(m[0][i]) + sqr(m[2][i]));
-            const auto [low, high] = std::minmax({ring.yMin * m[1][i], ring.yMax * m[1][i]});
-            box.min[i] = m[3][i] + low - reach;
-            box.max[i] = m[3][i] + high + reach;
-        }
-    } else {
-        // Corners of the ring's sector, and where it reaches farthest along an axis.
-        Box3d sector;
-        const auto add = [&](double x, double z) {
-            sector.extendBy(V3d(x, ring.yMin, z));
-            sector.extendBy(V3d(x, ring.yMax, z));
-        };
-        for (const double u : {0., 1.}) {
-            const Angle a = angle(u);
-            add(ring.rMin * a.cos, ring.rMin * a.sin);
-            add(ring.rMax * a.cos, ring.rMax * a.sin);
-        }
-        for (const V2d& axis : {V2d(0, 1), V2d(-1, 0), V2d(0, -1)})
-            if (phi_.contains(axis.x, axis.y)) add(ring.rMax * axis.x, ring.rMax * axis.y);
-        box = placement_.worldFromObject().box(sector);
-    }
+    for (const Ring& ring : roots_.rings(prim))
+        box.extendBy(phi_.isFull() ? ringBox(ring) : sectorBox(ring));
     const double margin = placement_.error(V3d(std::max(maxAbs(box.min), maxAbs(box.max)))) + profileError_;
     return Box3d(box.min - V3d(margin), box.max + V3d(margin));
+}
+
+Box3d Revolution::ringBox(const Ring& ring) const {
+    const auto& m = placement_.worldFromObject().matrix();
+    Box3d box;
+    for (int i = 0; i < 3; ++i) {
+        const double reach = ring.rMax * std::sqrt(sqr(m[0][i]) + sqr(m[2][i]));
+        const double a = ring.yMin * m[1][i], b = ring.yMax * m[1][i];
+        box.min[i] = m[3][i] + std::min(a, b) - reach;
+        box.max[i] = m[3][i] + std::max(a, b) + reach;
+    }
+    return box;
+}
+
+/// Of the sector's corners, and where it reaches farthest along an axis.
+Box3d Revolution::sectorBox(const Ring& ring) const {
+    Box3d sector;
+    const auto add = [&](double x, double z) {
+        sector.extendBy(V3d(x, ring.yMin, z));
+        sector.extendBy(V3d(x, ring.yMax, z));
+    };
+    for (const double u : {0., 1.}) {
+        const Angle a = angle(u);
+        add(ring.rMin * a.cos, ring.rMin * a.sin);
+        add(ring.rMax * a.cos, ring.rMax * a.sin);
+    }
+    for (const V2d& axis : {V2d(0, 1), V2d(-1, 0), V2d(0, -1)})
+        if (phi_.contains(axis.x, axis.y)) add(ring.rMax * axis.x, ring.rMax * axis.y);
+    return placement_.worldFromObject().box(sector);
 }
 
 PrimitiveHit Revolution::primitiveHit(const Ray& objectRay, const ProfileHit& hit, unsigned prim) const {

@@ -54,6 +54,8 @@ class Revolution final : public Shape {
     Angle angle(double u) const;
     double pdfAt(double v, const V3d& normal) const;
     double integrateArea() const;
+    Box3d ringBox(const Ring& ring) const;
+    Box3d sectorBox(const Ring& ring) const;
 
     Profile profile_;
     PhiRange phi_;

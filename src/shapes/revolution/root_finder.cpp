@@ -62,40 +62,77 @@ RootFinder::RootFinder(const Profile& profile) : size_(profile.size()) {
         rings.push_back(ringAbout(part.curve, size_));
         parts_.emplace_back(part.curve, unsigned(parts_.size()));
     }
-    build(0, unsigned(parts_.size()), rings);
-    group(0);
+    build(0, unsigned(parts_.size()), rings, 0);
+    cheapestGroups(0, groups_);
 }
 
-unsigned RootFinder::build(unsigned first, unsigned count, const std::vector<Ring>& rings) {
+namespace {
+
+/// Where to divide rings into two runs so that boxes about them, weighted by what they hold, are smallest.
+unsigned bestCut(std::span<const Ring> rings) {
+    std::vector<double> tail(rings.size());
+    Ring ring;
+    for (std::size_t i = rings.size(); i-- > 0;) {
+        ring.extendBy(rings[i]);
+        tail[i] = ring.surface() * double(rings.size() - i);
+    }
+    ring = Ring{};
+    unsigned best = 1;
+    double least = infinityD;
+    for (unsigned i = 1; i < rings.size(); ++i) {
+        ring.extendBy(rings[i - 1]);
+        const double cost = ring.surface() * i + tail[i];
+        if (cost < least) least = cost, best = i;
+    }
+    return best;
+}
+
+} // namespace
+
+unsigned RootFinder::build(unsigned first, unsigned count, const std::vector<Ring>& rings, int depth) {
     const unsigned index = unsigned(nodes_.size());
     nodes_.push_back({Ring{}, first, count});
     for (unsigned i = first; i < first + count; ++i)
         nodes_[index].ring.extendBy(rings[i]);
     if (count > 1) {
-        build(first, count / 2, rings);
-        const unsigned right = build(first + count / 2, count - count / 2, rings);
+        // Halving from some depth on keeps the tree's depth, and with it the stack of a search, within bounds.
+        const unsigned cut = depth < maxTreeDepth - 32 ? bestCut(std::span(rings).subspan(first, count)) : count / 2;
+        build(first, cut, rings, depth + 1);
+        const unsigned right = build(first + cut, count - cut, rings, depth + 1);
         nodes_[index].right = right;
     }
     return index;
 }
 
-void RootFinder::group(unsigned node) {
-    // A second call of the shape costs about as much as a fifth of the rays that one large box would catch in vain.
-    constexpr double worthwhile = 0.8;
+double RootFinder::cheapestGroups(unsigned node, std::vector<unsigned>& groups) const {
+    // A ray that meets the box pays for the call and for the way down the tree; measured in calls.
+    constexpr double levelCost = 0.2;
     const Node& n = nodes_[node];
-    const bool cut = n.right != 0 &&
-                     nodes_[node + 1].ring.surface() + nodes_[n.right].ring.surface() < worthwhile * n.ring.surface();
-    if (!cut) {
-        groups_.push_back(node);
-        return;
+    const double whole = n.ring.surface() * (1 + levelCost * std::log2(double(n.count)));
+    if (n.right != 0) {
+        std::vector<unsigned> apart;
+        const double cost = cheapestGroups(node + 1, apart) + cheapestGroups(n.right, apart);
+        if (cost < whole) {
+            groups.insert(groups.end(), apart.begin(), apart.end());
+            return cost;
+        }
     }
-    group(node + 1);
-    group(n.right);
+    groups.push_back(node);
+    return whole;
+}
+
+std::vector<Ring> RootFinder::rings(unsigned group) const {
+    std::vector<Ring> result;
+    const Node& root = nodes_[groups_[group]];
+    for (const Node& node : nodes_)
+        if (node.count == 1 && node.first >= root.first && node.first < root.first + root.count)
+            result.push_back(node.ring);
+    return result;
 }
 
 void RootFinder::search(unsigned group, HitCollector& hits) const {
     const RingTest test(hits, size_);
-    unsigned stack[32];
+    unsigned stack[maxTreeDepth + 2];
     int depth = 0;
     stack[depth++] = groups_[group];
     while (depth > 0) {

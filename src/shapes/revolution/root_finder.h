@@ -19,9 +19,10 @@ class RootFinder {
   public:
     explicit RootFinder(const Profile& profile);
 
-    /// Subtrees worth a bounding box each: cut where the boxes of two halves are smaller than that of the whole.
+    /// Subtrees worth a bounding box each: cut where several small boxes catch fewer rays than a large one.
     unsigned groupCount() const { return unsigned(groups_.size()); }
-    const Ring& ring(unsigned group) const { return nodes_[groups_[group]].ring; }
+    /// Of the parts in a group.
+    std::vector<Ring> rings(unsigned group) const;
 
     /// Offers the crossings in one group to `hits`.
     void search(unsigned group, HitCollector& hits) const;
@@ -31,13 +32,15 @@ class RootFinder {
     std::size_t memoryBytes() const;
 
   private:
+    static constexpr int maxTreeDepth = 62;
+
     struct Node {
         Ring ring;
         unsigned first, count; ///< parts below
-        unsigned right = 0;    ///< the second child; the first follows its parent
+        unsigned right = 0;    ///< the second child, the first follows its parent; 0 for a leaf
     };
-    unsigned build(unsigned first, unsigned count, const std::vector<Ring>& rings);
-    void group(unsigned node);
+    unsigned build(unsigned first, unsigned count, const std::vector<Ring>& rings, int depth);
+    double cheapestGroups(unsigned node, std::vector<unsigned>& groups) const;
 
     std::vector<PartSolver> parts_;
     std::vector<Node> nodes_;

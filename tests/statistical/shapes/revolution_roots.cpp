@@ -104,7 +104,7 @@ int repeats() {
 
 TEST(RevolutionRoots, RandomPairsAgreeWithAScanInLongDouble) {
     Tally tally;
-    const int profiles = 60 * repeats(), raysEach = 270;
+    const int profiles = 40 * repeats(), raysEach = 270;
     for (int i = 0; i < profiles; ++i) {
         RandomStream random(20190611, i);
         const ProfilePoints points = randomProfile(random, 1 + i % 20);
@@ -122,7 +122,7 @@ TEST(RevolutionRoots, RandomPairsAgreeWithAScanInLongDouble) {
 
 TEST(RevolutionRoots, RandomPairsAgreeWithFiftyDigits) {
     Tally tally;
-    const int profiles = 80 * repeats(), raysEach = 9;
+    const int profiles = 40 * repeats(), raysEach = 9;
     for (int i = 0; i < profiles; ++i) {
         RandomStream random(20190612, i);
         const ProfilePoints points = randomProfile(random, 1 + i % 20);
@@ -142,8 +142,8 @@ TEST(RevolutionRoots, GobletAndVaseAgreeWithAScanInLongDouble) {
     for (const ProfilePoints& points : {gobletProfile(), vaseProfile()}) {
         RandomStream random(20190613, points.size());
         const Revolution shape(Transform(), false, Profile(joined(points), int(points[0].size()) - 1));
-        const ScanOracle oracle(points, 512);
-        for (int k = 0; k < 3000 * repeats(); ++k) {
+        const ScanOracle oracle(points, 100);
+        for (int k = 0; k < 2000 * repeats(); ++k) {
             const RayKind kind = RayKind(k % rayKinds);
             compare(
                 points, shape, randomRay(random, kind, points), kind, [&](const Ray& r) { return oracle.hits(r); },
