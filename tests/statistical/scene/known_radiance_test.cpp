@@ -123,12 +123,13 @@ TEST(NestedDielectrics, TheInterfaceIsRelative) {
 TEST(NestedDielectrics, TheCameraMayStandInside) {
     const std::string camera =
         "LookAt 0 0 0 0 0 -1 0 1 0\nCamera \"orthographic\" \"float screenwindow\" [-.1 .1 -.1 .1]\n";
-    // In the middle of an absorbing ball of index 1.5: half of the slab's way; what is reflected goes the whole way.
+    // In the middle of an absorbing slab of index 1.5: half of the slab's way; what is reflected goes the whole way.
+    // Inside, radiance is eta^2 times that outside.
     const double r = fresnel(1, 1.5), t = std::exp(-.4);
     EXPECT_RADIANCE(head(camera) + sky +
                         "Material \"dielectric\" \"integer priority\" 1 \"spectrum absorption\" [300 .4 900 .4]\n"
                         "Shape \"box\" \"point3 pmin\" [-9 -9 -1] \"point3 pmax\" [9 9 1]\n",
-                    t * (1 - r) / (1 - r * t * t));
+                    1.5 * 1.5 * t * (1 - r) / (1 - r * t * t));
 }
 
 TEST(ShadowRays, PassOverruledAndInterfaceSurfacesWithoutBias) {
