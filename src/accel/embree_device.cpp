@@ -55,7 +55,7 @@ std::size_t bytesInUse() {
 ScenePtr newScene() {
     ScenePtr scene(rtcNewScene(device()));
     throwIfFailed();
-    // Robust: without it rays slip through the edges of closed meshes (tests/statistical/accel/leaks.cpp).
+    // Robust: without it rays slip through the edges of closed meshes (tests/statistical/accel/leaks_test.cpp).
     rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_MEDIUM);
     return scene;
