@@ -34,24 +34,22 @@ PartSolver::PartSolver(const BezierCurve& curve, unsigned index)
 PartSolver::Sample PartSolver::at(double t) const {
     const double* b = scaled();
     const int n = points_ - 1;
-    const double u = 1 - t;
     const bool low = t <= 0.5;
-    const double z = low ? t / u : u / t, base = low ? u : t;
+    const double base = low ? 1 - t : t, inverse = 1 / base, z = (low ? t : 1 - t) * inverse;
     // Horner's rule for the value and its derivative by z, from the far end of the coefficients.
     const double* c = low ? b + 2 * n : b;
     const int step = low ? -2 : 2;
     double qx = c[0], qy = c[1], dqx = 0, dqy = 0, power = 1;
     for (int k = 1; k <= n; ++k) {
         c += step;
-        dqx = dqx * z + qx;
-        dqy = dqy * z + qy;
-        qx = qx * z + c[0];
-        qy = qy * z + c[1];
+        dqx = std::fma(dqx, z, qx);
+        dqy = std::fma(dqy, z, qy);
+        qx = std::fma(qx, z, c[0]);
+        qy = std::fma(qy, z, c[1]);
         if (k < n) power *= base;
     }
     // x = base^n q(z), and dz/dt = 1/u^2 or -1/t^2.
     const double full = power * base, sign = low ? power : -power;
-    const double inverse = 1 / base;
     return {full * qx, full * qy, sign * (dqx * inverse - n * qx), sign * (dqy * inverse - n * qy)};
 }
 

@@ -146,8 +146,9 @@ void PartSolver::isolateShallow(const Branch& branch, double* x, double* p, doub
 void PartSolver::refineShallow(const Branch& branch, double ta, double tb, bool negativeAtA, HitCollector& hits) const {
     const AxialRay& ray = branch.ray;
     double t = (ta + tb) / 2, lastStep = 0;
+    Sample c;
     for (int i = 1; i < 100; ++i) {
-        const Sample c = at(t);
+        c = at(t);
         const double g = branch.value(c.x, ray.P(c.y));
         ((g < 0) == negativeAtA ? ta : tb) = t;
         const double width = ray.halfWidth(c.x);
@@ -155,12 +156,13 @@ void PartSolver::refineShallow(const Branch& branch, double ta, double tb, bool 
         double next = t - g / slope;
         const bool newton = next >= ta && next <= tb && i % 8 != 0;
         if (!newton) next = (ta + tb) / 2;
-        const double step = std::abs(next - t);
+        const double step = next - t;
         t = next;
-        if (step <= 0x1p-51 || (newton && step < 0x1p-30 && step < 0x1p-10 * lastStep)) break;
-        lastStep = newton ? step : 0;
+        c.x += step * c.dx;
+        c.y += step * c.dy;
+        if (std::abs(step) <= 0x1p-51 || (newton && std::abs(step) < std::min(0x1p-32, 0x1p-10 * lastStep))) break;
+        lastStep = newton ? std::abs(step) : 0;
     }
-    const Sample c = at(t);
     hits.offer(index_, t, c.x, c.y, branch.forward);
 }
 

@@ -66,22 +66,25 @@ void PartSolver::refineSteep(double ta, double tb, bool negativeAtA, double gues
     const AxialRay& ray = hits.ray();
     const double v2 = sqr(ray.v);
     double t = guess > ta && guess < tb ? guess : (ta + tb) / 2, lastStep = 0;
+    Sample c;
     // Newton's method, kept in the bracket by bisection; F comes from the curve itself, not from its coefficients, so
     // the root is as exact as the point.
     for (int i = 1; i < 100; ++i) {
-        const Sample c = at(t);
+        c = at(t);
         const double p = ray.P(c.y), f = ray.F(c.x, p);
         ((f < 0) == negativeAtA ? ta : tb) = t;
         double next = t - f / (2 * (ray.h * p * c.dy - v2 * c.x * c.dx));
         const bool newton = next >= ta && next <= tb && i % 8 != 0;
         if (!newton) next = (ta + tb) / 2;
-        const double step = std::abs(next - t);
+        const double step = next - t;
         t = next;
-        // Once Newton's steps shrink a thousandfold they shrink quadratically: this one was the last.
-        if (step <= 0x1p-51 || (newton && step < 0x1p-30 && step < 0x1p-10 * lastStep)) break;
-        lastStep = newton ? step : 0;
+        c.x += step * c.dx;
+        c.y += step * c.dy;
+        // Once Newton's steps shrink a thousandfold they shrink quadratically: this one was the last, and so short that
+        // the curve is its tangent.
+        if (std::abs(step) <= 0x1p-51 || (newton && std::abs(step) < std::min(0x1p-32, 0x1p-10 * lastStep))) break;
+        lastStep = newton ? std::abs(step) : 0;
     }
-    const Sample c = at(t);
     hits.offer(index_, t, c.x, c.y, (ray.P(c.y) < 0) == (ray.v < 0));
 }
 
