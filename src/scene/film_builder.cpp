@@ -118,6 +118,8 @@ FilmPlan rgbFilm(BuildContext& context, const Overrides& overrides) {
     if (!(exposure > 0))
         throw SceneError(context.nodes().camera.place, "the shutter closes before it opens: nothing is exposed");
     s.imagingRatio = float(exposure * iso / 100);
+    if (!(s.imagingRatio > 0 && std::isfinite(s.imagingRatio)) && iso > 0)
+        throw SceneError(node.place, fmt::format("exposed for {:g} s at ISO {:g}, no picture is left", exposure, iso));
 
     if (const std::string sensor = p.getString("sensor", "cie1931"); sensor != "cie1931")
         p.error("sensor", fmt::format("sensor \"{}\" is not yet supported", sensor), "\"cie1931\" is");

@@ -6,6 +6,13 @@ namespace vitrine {
 
 namespace {
 
+/// Embree takes coordinates from 1.8e18 for invalid, and rays start some way outside of what they meet.
+constexpr double farthest = 1e15;
+
+bool isFar(const Box3d& box) {
+    return !box.isEmpty() && !(std::max(maxAbs(box.min), maxAbs(box.max)) <= farthest);
+}
+
 class WorldBuilder {
   public:
     explicit WorldBuilder(BuildContext& context) : context_(context) {}
@@ -21,6 +28,7 @@ class WorldBuilder {
         for (const auto& instance : context_.nodes().instances)
             input_.instances.push_back({std::uint32_t(instance.object),
                                         still(context_, instance.worldFromInstance, instance.place)});
+        refuseFarInstances();
         for (const auto& node : context_.nodes().lights)
             if (auto light = buildLight(context_, node)) lights_.push_back(std::move(light));
 
@@ -46,6 +54,10 @@ class WorldBuilder {
         const auto shapes = buildShape(context_, node);
         const MaterialPtr& material = materials_[std::size_t(node.material)];
         warnOfOpenGlass(node, shapes, material);
+        for (const auto& shape : shapes)
+            if (shape->kind() != GeometryKind::Unbounded && isFar(shape->bounds()))
+                context_.diagnostics().error(
+                    node.place, fmt::format("this {} reaches too far: coordinates go up to {:g}", node.type, farthest));
         std::vector<std::shared_ptr<AreaLight>> lights;
         if (node.areaLight >= 0) {
             if (mayShine)
@@ -58,6 +70,35 @@ class WorldBuilder {
             if (i < lights.size()) lights_.push_back(lights[i]);
             to.push_back({shapes[i], std::uint32_t(world_.surfaces.size()), material && !material->isInterface()});
             world_.surfaces.push_back(std::move(surface));
+        }
+    }
+
+    static void extend(Box3d& box, const std::vector<CasterShape>& shapes) {
+        for (const auto& entry : shapes)
+            if (entry.shape->kind() != GeometryKind::Unbounded) box.extendBy(entry.shape->bounds());
+    }
+
+    /// Neither may an instance reach too far, nor the world as it is seen from a tiny instance.
+    void refuseFarInstances() {
+        if (input_.instances.empty()) return;
+        std::vector<Box3d> groups(input_.groups.size());
+        for (std::size_t i = 0; i < groups.size(); ++i) extend(groups[i], input_.groups[i]);
+        Box3d world;
+        extend(world, input_.shapes);
+        for (const auto& instance : input_.instances)
+            if (const Box3d& group = groups[instance.group]; !group.isEmpty())
+                world.extendBy(instance.worldFromInstance.box(group));
+        for (std::size_t i = 0; i < input_.instances.size(); ++i) {
+            const CasterInstance& instance = input_.instances[i];
+            const Box3d& group = groups[instance.group];
+            const Place& place = context_.nodes().instances[i].place;
+            if (group.isEmpty()) continue;
+            if (isFar(instance.worldFromInstance.box(group)))
+                context_.diagnostics().error(
+                    place, fmt::format("this instance reaches too far: coordinates go up to {:g}", farthest));
+            else if (isFar(instance.worldFromInstance.inverse().box(world)))
+                context_.diagnostics().error(
+                    place, fmt::format("this instance is too small: seen from it, the scene reaches beyond {:g}", farthest));
         }
     }
 
