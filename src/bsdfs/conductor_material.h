@@ -1,15 +1,14 @@
 // Material "conductor": metal.
 //
-// | name           | type     | unit | default      | meaning |
-// |----------------|----------|------|--------------|--------------------------------------------------------------------|
-// | eta            | spectrum | 1    | metal-Cu-eta | real part of the index of refraction | | k              |
-// spectrum | 1    | metal-Cu-k   | imaginary part: absorption                                         | | reflectance
-// | spectrum | 1    | none         | in place of eta and k: reflectance at normal incidence, < 0.9999   | | roughness
-// | float    | 1    | 0            | spread of the facets in both directions; 0 is a mirror             | | uroughness
-// | float    | 1    | roughness    | along u                                                            | | vroughness
-// | float    | 1    | roughness    | along v                                                            | |
-// remaproughness | bool     |      | true         | facet slope alpha is sqrt(roughness); false: alpha is the roughness
-// |
+// | name           | type     | unit         | default      | meaning |
+// |----------------|----------|--------------|--------------|---------|
+// | eta            | spectrum | 1            | metal-Cu-eta | real part of the index of refraction |
+// | k              | spectrum | 1            | metal-Cu-k   | imaginary part: absorption |
+// | reflectance    | spectrum | 1            | none         | in place of eta and k: reflectance at normal incidence, below 0.9999 |
+// | roughness      | float    | 1            | 0            | spread of the facets in both directions; 0 is a mirror |
+// | uroughness     | float    | 1            | roughness    | along u |
+// | vroughness     | float    | 1            | roughness    | along v |
+// | remaproughness | bool     |              | true         | the facets' slope alpha is sqrt(roughness); false: alpha is the roughness |
 #pragma once
 
 #include "bsdfs/material.h"

@@ -1,15 +1,17 @@
 // Material "dielectric": glass, water and other solids that let light through.
 //
-// | name           | type     | unit         | default   | meaning |
-// |----------------|----------|--------------|-----------|-----------------------------------------------------------------|
-// | eta            | spectrum | 1            | 1.5       | index of refraction; one that varies with wavelength
-// disperses  | | absorption     | spectrum | 1/scene unit | 0         | light loses exp(-absorption x distance) inside
-// (Beer-Lambert)   | | priority       | integer  |              | none      | where solids overlap the one of higher
-// priority is there        | | roughness      | float    | 1            | 0         | spread of the facets in both
-// directions; 0 is polished          | | uroughness     | float    | 1            | roughness | along u | | vroughness
-// | float    | 1            | roughness | along v                                                         | |
-// remaproughness | bool     |              | true      | facet slope alpha is sqrt(roughness); false: it is the
-// roughness |
+// | name           | type     | unit         | default      | meaning |
+// |----------------|----------|--------------|--------------|---------|
+// | eta            | spectrum | 1            | 1.5          | index of refraction; one that varies with wavelength disperses |
+// | absorption     | spectrum | 1/scene unit | 0            | light loses exp(-absorption x distance) inside (Beer-Lambert). Not in pbrt-v4 |
+// | priority       | integer  |              | none         | where solids overlap the one of higher priority is there. Not in pbrt-v4 |
+// | roughness      | float    | 1            | 0            | spread of the facets in both directions; 0 is polished |
+// | uroughness     | float    | 1            | roughness    | along u |
+// | vroughness     | float    | 1            | roughness    | along v |
+// | remaproughness | bool     |              | true         | the facets' slope alpha is sqrt(roughness); false: alpha is the roughness |
+//
+// Without a priority the surface is pbrt-v4's: eta is relative to whatever lies around, which counts as air. With one the
+// index is relative to the solid outside, and surfaces inside a solid of higher priority are not there.
 #pragma once
 
 #include "bsdfs/material.h"

@@ -7,13 +7,13 @@
 
 namespace vitrine {
 
-/// Parallel rays along +z from the screen window in the plane z = 0 of camera space.
+/// Camera "orthographic": parallel rays along +z from the screen window in the plane z = 0 of camera space.
 ///
-/// | name             | type  | unit    | default | meaning |
-/// |------------------|-------|---------|---------|---------|
-/// | lensradius       | float | scene units | 0   | 0: parallel rays; else see below |
-/// | focaldistance    | float | scene units | 1e6 | distance of the plane that is sharp |
-/// | frameaspectratio | float |         | width / height | width over height of the default screenwindow |
+/// | name             | type     | unit        | default               | meaning |
+/// |------------------|----------|-------------|-----------------------|---------|
+/// | lensradius       | float    | scene units | 0                     | 0: parallel rays; else see below |
+/// | focaldistance    | float    | scene units | 1e6                   | distance of the plane that is sharp |
+/// | frameaspectratio | float    |             | width / height        | width over height of the default screenwindow |
 /// | screenwindow     | float[4] | scene units | from frameaspectratio | xmin xmax ymin ymax of the picture |
 ///
 /// With a lens, pbrt-v4 lets every ray start on one disk about camera space's origin and aim at its picture point in

@@ -5,15 +5,15 @@
 
 namespace vitrine {
 
-/// Pinhole or thin lens, looking along +z of camera space.
+/// Camera "perspective": pinhole or thin lens, looking along +z of camera space.
 ///
-/// | name             | type  | unit    | default | meaning |
-/// |------------------|-------|---------|---------|---------|
-/// | fov              | float | degrees | 90      | angle that screen space [-1, 1] spans: the picture's narrower side
-/// | | lensradius       | float | scene units | 0   | radius of the lens; 0: a pinhole, everything is sharp | |
-/// focaldistance    | float | scene units | 1e6 | distance of the plane that is sharp | | frameaspectratio | float | |
-/// width / height | width over height of the default screenwindow | | screenwindow     | float[4] |      | from
-/// frameaspectratio | xmin xmax ymin ymax of the picture in screen space |
+/// | name             | type     | unit        | default               | meaning |
+/// |------------------|----------|-------------|-----------------------|---------|
+/// | fov              | float    | degrees     | 90                    | angle that screen space [-1, 1] spans: the picture's narrower side |
+/// | lensradius       | float    | scene units | 0                     | radius of the lens; 0: a pinhole, everything is sharp |
+/// | focaldistance    | float    | scene units | 1e6                   | distance of the plane that is sharp |
+/// | frameaspectratio | float    |             | width / height        | width over height of the default screenwindow |
+/// | screenwindow     | float[4] |             | from frameaspectratio | xmin xmax ymin ymax of the picture in screen space |
 class PerspectiveCamera final : public Camera {
   public:
     struct Settings {

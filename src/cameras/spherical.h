@@ -6,15 +6,11 @@
 
 namespace vitrine {
 
-/// Sees all directions from one point. Camera space's y is up.
+/// Camera "spherical": sees all directions from one point. Camera space's y is up.
 ///
 /// | name    | type   | unit | default     | meaning |
 /// |---------|--------|------|-------------|---------|
-/// | mapping | string |      | "equalarea" | "equalarea": the octahedral map of Clarberg 2008, y in the picture's
-/// middle; | |         |        |      |             | "equirectangular": longitude across from +x over +z, latitude
-/// down from +y |
-///
-/// pbrt-v4 also reads and ignores lensradius, focaldistance, frameaspectratio and screenwindow here.
+/// | mapping | string |      | "equalarea" | "equalarea": the octahedral map of Clarberg 2008, y in the picture's middle; "equirectangular": longitude across from +x over +z, latitude down from +y |
 class SphericalCamera final : public Camera {
   public:
     enum class Mapping { EqualArea, Equirectangular };

@@ -15,6 +15,31 @@ enum class SamplerKind {
     Sobol        ///< padded Owen-scrambled (0,2)-sequences (Burley 2020, "Practical hash-based Owen scrambling")
 };
 
+/// Sampler "zsobol", "sobol", "paddedsobol", "pmj02bn", "halton": low-discrepancy samples. One here: padded Owen-scrambled
+/// Sobol pairs.
+///
+/// | name          | type    | unit | default             | meaning |
+/// |---------------|---------|------|---------------------|---------|
+/// | pixelsamples  | integer |      | 16                  | samples a pixel (passes of photon integrators); any number |
+/// | seed          | integer |      | that of Option "seed", else 0 | other seeds give other noise |
+/// | randomization | string  |      | "fastowen"          | pbrt-v4's names are read; all but "none", which is refused, scramble in the same way |
+
+/// Sampler "independent": uncorrelated random numbers.
+///
+/// | name         | type    | unit | default             | meaning |
+/// |--------------|---------|------|---------------------|---------|
+/// | pixelsamples | integer |      | 16                  | samples a pixel |
+/// | seed         | integer |      | that of Option "seed", else 0 | other seeds give other noise |
+
+/// Sampler "stratified": every dimension in strata of its own over a pixel's samples.
+///
+/// | name     | type    | unit | default             | meaning |
+/// |----------|---------|------|---------------------|---------|
+/// | xsamples | integer |      | 4                   | strata across; xsamples x ysamples are the samples a pixel |
+/// | ysamples | integer |      | 4                   | strata down |
+/// | jitter   | bool    |      | true                | samples lie anywhere in their stratum; false: in its middle |
+/// | seed     | integer |      | that of Option "seed", else 0 | other seeds give other noise |
+
 struct SamplerSettings {
     SamplerKind kind = SamplerKind::Sobol;
     std::uint64_t seed = 0;

@@ -11,6 +11,20 @@
 
 namespace vitrine {
 
+/// Film "rgb": the picture, in linear RGB of the colour space that is current at the directive.
+///
+/// | name              | type       | unit   | default         | meaning |
+/// |-------------------|------------|--------|-----------------|---------|
+/// | xresolution       | integer    | pixels | 1280            | width of the full picture |
+/// | yresolution       | integer    | pixels | 720             | height of the full picture |
+/// | cropwindow        | float[4]   |        | 0 1 0 1         | x0 x1 y0 y1, shares of width and height: the part that is rendered |
+/// | pixelbounds       | integer[4] | pixels | everything      | x0 x1 y0 y1, the ends not included: the same in pixels; cropwindow goes first |
+/// | filename          | string     |        | the scene's own name with .exr | picture to write unless the command line names one |
+/// | maxcomponentvalue | float      |        | infinity        | a sample whose largest value on the sensor is above is scaled down to it |
+/// | iso               | float      |        | 100             | the picture is multiplied by the camera's exposure time times iso / 100 |
+/// | shutteropen, shutterclose | float | s   | 0, 1            | of the Camera directive: their difference is the exposure time |
+/// | sensor            | string     |        | "cie1931"       | the only one there is: XYZ matching functions |
+/// | whitebalance      | float      | K      | 0               | only 0, none, is supported |
 struct FilmSettings {
     V2i resolution{1280, 720};
     /// Half-open pixel rectangle that is rendered: min (inclusive), max (exclusive).

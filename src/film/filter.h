@@ -9,6 +9,15 @@ namespace vitrine {
 
 enum class FilterKind { Box, Gaussian, Mitchell, Sinc, Triangle };
 
+/// PixelFilter "box", "gaussian", "mitchell", "sinc", "triangle": how samples around a pixel make its value.
+///
+/// | name             | type  | unit   | default                            | meaning |
+/// |------------------|-------|--------|------------------------------------|---------|
+/// | xradius, yradius | float | pixels | 0.5, 1.5, 2, 4, 2 in the order above | half the filter's width and height |
+/// | sigma            | float | pixels | 0.5                                | gaussian: standard deviation; the value at the radius is subtracted |
+/// | B, C             | float |        | 1/3, 1/3                           | mitchell: Mitchell & Netravali's parameters |
+/// | tau              | float |        | 3                                  | sinc: cycles of the inner sinc under the window's main lobe (Lanczos) |
+
 /// A reconstruction filter on [-radius.x, radius.x] x [-radius.y, radius.y] (pixels), of integral 1. All kinds are
 /// products of a function of x and one of y.
 class Filter {

@@ -6,15 +6,15 @@
 
 namespace vitrine {
 
-/// Integrator "path" (and "volpath", which is the same in scenes without media).
+/// Integrator "path", "volpath": path tracing with next-event estimation. The two are the same in scenes without media.
 ///
-/// | name       | type    | unit   | default | meaning |
-/// |------------|---------|--------|---------|---------|
-/// | maxdepth   | integer | bounces | 5      | scattering events a path may have |
-/// | rrdepth    | integer | bounces | 1      | Russian roulette begins after this many |
-/// | regularize | bool    |        | false   | roughen near-specular surfaces after the first diffuse bounce (biased) |
-/// | nee        | bool    |        | true    | direct light by sampling lights, combined with BSDF sampling; false: an oracle |
-/// | lightsampler | string |       | "power" | pbrt's names are read; lights are chosen by power ("uniform": alike) |
+/// | name         | type    | unit    | default | meaning |
+/// |--------------|---------|---------|---------|---------|
+/// | maxdepth     | integer | bounces | 5       | scattering events a path may have |
+/// | rrdepth      | integer | bounces | 1       | Russian roulette begins after this many. Not in pbrt-v4, where it is 1 |
+/// | regularize   | bool    |         | false   | roughen near-specular surfaces after the first scattering that is not (biased) |
+/// | nee          | bool    |         | true    | direct light by sampling lights, combined with BSDF sampling; false: plain path tracing, an oracle. Not in pbrt-v4 |
+/// | lightsampler | string  |         | "power" | "uniform", "power", "bvh" and "exhaustive" are read; lights are always chosen by their power |
 struct PathSettings {
     int maxDepth = 5;
     int rrDepth = 1;

@@ -5,7 +5,7 @@
 
 namespace vitrine {
 
-/// The same radiance from everywhere.
+/// LightSource "infinite" (constant): the same radiance from everywhere.
 ///
 /// | name        | type     | unit | default              | meaning |
 /// |-------------|----------|------|----------------------|---------|

@@ -6,14 +6,14 @@
 
 namespace vitrine {
 
-/// Parallel light from infinitely far away.
+/// LightSource "distant": parallel light from infinitely far away.
 ///
 /// | name        | type     | unit | default              | meaning |
 /// |-------------|----------|------|----------------------|---------|
 /// | L           | spectrum | lx   | colour space's white | illuminance of a surface across the light |
 /// | scale       | float    |      | 1                    | multiplies L |
-/// | illuminance | float    | lx   | -1                   | if positive: multiplies L too, so with L of one lux is the
-/// illuminance | | from, to    | point3   |      | 0 0 0, 0 0 1         | the light runs from `from` towards `to` |
+/// | illuminance | float    | lx   | -1                   | if positive: multiplies L too, so for an L of one lux it is the illuminance |
+/// | from, to    | point3   |      | 0 0 0, 0 0 1         | the light runs from `from` towards `to` |
 class DistantLight final : public Light {
   public:
     struct Parameters {

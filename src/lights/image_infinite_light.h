@@ -8,14 +8,13 @@
 
 namespace vitrine {
 
-/// Radiance from all directions by an image.
+/// LightSource "infinite" (image): radiance from all directions by an image.
 ///
 /// | name        | type   | unit | default | meaning |
 /// |-------------|--------|------|---------|---------|
-/// | filename    | string |      |         | the image, linear RGB in nits: square in pbrt-v4's equal-area mapping, or (not in |
-/// |             |        |      |         | pbrt) twice as wide as high in latitude and longitude |
+/// | filename    | string |      |         | image, linear RGB in nits: square in pbrt-v4's equal-area mapping, or (not in pbrt) twice as wide as high in latitude and longitude |
 /// | scale       | float  |      | 1       | multiplies the image |
-/// | illuminance | float  | lx   | -1      | if positive: scales the image to this, see EnvironmentImage::pbrtIlluminance |
+/// | illuminance | float  | lx   | -1      | if positive: scales the image to this illuminance of an upward surface, in pbrt-v4's count |
 ///
 /// Directions are drawn texel by texel in proportion to the mean radiance over the texel, so the density is nowhere zero
 /// where the radiance is not. pbrt-v4's compensated density is not used: it is zero below the mean, and wrong where no

@@ -49,13 +49,12 @@ using LightPtr = std::shared_ptr<Light>;
 
 /// AreaLightSource "diffuse": a shape that shines with the same radiance everywhere and in all directions.
 ///
-/// | name     | type     | unit | default            | meaning |
-/// |----------|----------|------|--------------------|---------|
+/// | name     | type     | unit | default              | meaning |
+/// |----------|----------|------|----------------------|---------|
 /// | L        | spectrum | nit  | colour space's white | emitted radiance |
-/// | scale    | float    |      | 1                  | multiplies L |
-/// | power    | float    | lm   | -1                 | if positive: what the whole shape emits, on both sides if
-/// twosided | | twosided | bool     |      | false              | shines from both sides, else from that of the normal
-/// alone |
+/// | scale    | float    |      | 1                    | multiplies L |
+/// | power    | float    | lm   | -1                   | if positive: what the whole shape emits, on both sides if twosided |
+/// | twosided | bool     |      | false                | shines from both sides, else from that of the normal alone |
 ///
 /// A shape of infinite area shines, but is never chosen by light sampling.
 class AreaLight final : public Light {

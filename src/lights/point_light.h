@@ -6,14 +6,14 @@
 
 namespace vitrine {
 
-/// Shines alike in all directions from one point.
+/// LightSource "point": shines alike in all directions from one point.
 ///
-/// | name  | type     | unit | default              | meaning |
-/// |-------|----------|------|----------------------|---------|
-/// | I     | spectrum | cd   | colour space's white | intensity |
-/// | scale | float    |      | 1                    | multiplies I |
-/// | power | float    | lm   | -1                   | if positive: what the light emits in all |
-/// | from  | point3   |      | 0 0 0                | where it is |
+/// | name  | type     | unit        | default              | meaning |
+/// |-------|----------|-------------|----------------------|---------|
+/// | I     | spectrum | cd          | colour space's white | intensity |
+/// | scale | float    |             | 1                    | multiplies I |
+/// | power | float    | lm          | -1                   | if positive: what the light emits in all |
+/// | from  | point3   | scene units | 0 0 0                | where it is |
 class PointLight final : public Light {
   public:
     struct Parameters {

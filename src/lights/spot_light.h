@@ -6,17 +6,17 @@
 
 namespace vitrine {
 
-/// Shines from one point into a cone whose rim falls off smoothly.
+/// LightSource "spot": shines from one point into a cone whose rim falls off smoothly.
 ///
-/// | name           | type     | unit    | default              | meaning |
-/// |----------------|----------|---------|----------------------|---------|
-/// | I              | spectrum | cd      | colour space's white | intensity on the axis |
-/// | scale          | float    |         | 1                    | multiplies I |
-/// | power          | float    | lm      | -1                   | if positive: what the light emits in all |
-/// | from           | point3   |         | 0 0 0                | where it is |
-/// | to             | point3   |         | 0 0 1                | where it aims |
-/// | coneangle      | float    | degrees | 30                   | half angle of the cone: no light beyond |
-/// | conedeltaangle | float    | degrees | 5                    | width of the rim in which the light falls off |
+/// | name           | type     | unit        | default              | meaning |
+/// |----------------|----------|-------------|----------------------|---------|
+/// | I              | spectrum | cd          | colour space's white | intensity on the axis |
+/// | scale          | float    |             | 1                    | multiplies I |
+/// | power          | float    | lm          | -1                   | if positive: what the light emits in all |
+/// | from           | point3   | scene units | 0 0 0                | where it is |
+/// | to             | point3   | scene units | 0 0 1                | where it aims |
+/// | coneangle      | float    | degrees     | 30                   | half angle of the cone: no light beyond |
+/// | conedeltaangle | float    | degrees     | 5                    | width of the rim in which the light falls off |
 class SpotLight final : public Light {
   public:
     struct Cone {

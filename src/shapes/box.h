@@ -8,6 +8,8 @@
 
 namespace vitrine {
 
+/// Shape "box": a solid box along the axes. Not in pbrt-v4.
+///
 /// | name | type   | unit        | default    | meaning |
 /// |------|--------|-------------|------------|---------|
 /// | pmin | point3 | scene units | -1 -1 -1   | least corner |

@@ -6,7 +6,7 @@
 
 namespace vitrine {
 
-/// Parameters as in pbrt-v4:
+/// Shape "cylinder": an open cylinder about the z axis, or a sector of it.
 ///
 /// | name   | type  | unit        | default | meaning |
 /// |--------|-------|-------------|---------|---------|

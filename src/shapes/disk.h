@@ -6,7 +6,7 @@
 
 namespace vitrine {
 
-/// Parameters as in pbrt-v4:
+/// Shape "disk": a disk or ring perpendicular to the z axis, or a sector of it.
 ///
 /// | name        | type  | unit        | default | meaning |
 /// |-------------|-------|-------------|---------|---------|

@@ -9,6 +9,29 @@
 
 namespace vitrine {
 
+/// Shape "trianglemesh": triangles over a list of vertices.
+///
+/// | name    | type    | unit        | default | meaning |
+/// |---------|---------|-------------|---------|---------|
+/// | P       | point3  | scene units |         | vertices |
+/// | indices | integer |             | 0 1 2   | three vertices a triangle, counted from 0; needed unless there are just three |
+/// | N       | normal  |             | none    | shading normals, one a vertex; they also say which side is out |
+/// | S       | vector3 |             | none    | shading tangents, one a vertex |
+/// | uv      | point2  |             | none    | texture coordinates, one a vertex; else a triangle's are (0,0), (1,0), (1,1) |
+///
+/// Triangles without area are left out.
+
+/// Shape "bilinearmesh": bilinear patches over a list of vertices; those that are flat are kept as plain quads.
+///
+/// | name    | type    | unit        | default | meaning |
+/// |---------|---------|-------------|---------|---------|
+/// | P       | point3  | scene units |         | vertices |
+/// | indices | integer |             | 0 1 2 3 | four vertices a patch, (u,v) = 00 10 01 11; needed unless there are just four |
+/// | N       | normal  |             | none    | shading normals, one a vertex; they also say which side is out |
+/// | uv      | point2  |             | none    | texture coordinates, one a vertex; else the patch's own (u,v) |
+///
+/// Patches without area are left out.
+
 /// A mesh as scene files give it, in object space.
 struct MeshInput {
     std::vector<V3f> p;

@@ -6,13 +6,16 @@
 
 namespace vitrine {
 
-/// | name   | type    | unit        | default | meaning |
-/// |--------|---------|-------------|---------|---------|
-/// | normal | normal3 |             | 0 0 1   | side on which the outside lies; any length |
-/// | d      | float   | scene units | 0       | the points p of the plane have normal.p = d |
+/// Shape "plane": an infinite plane. Not in pbrt-v4.
 ///
-/// (u, v) are lengths in object space along two axes that with the normal make a right-handed frame; for the default
-/// normal x and y.
+/// | name | type   | unit        | default | meaning |
+/// |------|--------|-------------|---------|---------|
+/// | n    | normal |             | 0 1 0   | side on which the outside lies; any length |
+/// | d    | float  | scene units | 0       | the points x of the plane have n.x = d (d in units of n's length) |
+/// | p    | point3 | scene units | none    | a point of the plane, in place of d |
+///
+/// (u, v) are lengths in object space along two axes that with the normal make a right-handed frame; for the normal 0 0 1
+/// x and y.
 class Plane final : public Shape {
   public:
     /// \throws std::invalid_argument

@@ -9,7 +9,7 @@
 
 namespace vitrine {
 
-/// Parameters as in pbrt-v4:
+/// Shape "sphere": a sphere about the origin, or the part of it between two heights and within an angle.
 ///
 /// | name   | type  | unit        | default | meaning |
 /// |--------|-------|-------------|---------|---------|

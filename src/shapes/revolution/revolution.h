@@ -8,12 +8,13 @@
 
 namespace vitrine {
 
-/// | name   | type    | unit        | default                | meaning |
-/// |--------|---------|-------------|------------------------|---------|
-/// | P      | point2  | scene units |                        | control points (radius, height) |
-/// | degree | integer |             | number of points - 1   | of every segment; consecutive segments share end points
-/// | | phimax | float   | degrees     | 360                    | extent of the angle about the y axis, phi = atan2(z,
-/// x) |
+/// Shape "revolution": a Bezier profile turned about the y axis, exact. Not in pbrt-v4.
+///
+/// | name   | type    | unit        | default              | meaning |
+/// |--------|---------|-------------|----------------------|---------|
+/// | P      | point2  | scene units |                      | control points (radius, height) of the profile |
+/// | degree | integer |             | number of points - 1 | of every segment, 1 to 60; consecutive segments share end points |
+/// | phimax | float   | degrees     | 360                  | extent of the angle about the y axis, phi = atan2(z, x) |
 ///
 /// Control points may have a negative radius as long as the curve has none. (u, v) = (phi / phimax, (segment + t) /
 /// segments). The normal is (y', -x') of the profile, turned; that of a closed profile (both ends on the axis, or
