@@ -94,6 +94,74 @@ TEST_P(ClosedMesh, FineSphere) {
     expectTight(icosphere(4, center()), 4);
 }
 
+TEST_P(ClosedMesh, BentPatchesDoNotMeetThemselves) {
+    // Within this slope of its tangent plane a ray may well meet the patch again.
+    constexpr float least = 0.01f;
+    for (const std::uint64_t seed : {5, 6}) {
+        MeshInput mesh = soup(seed, 8, 4);
+        for (V3f& p : mesh.p)
+            p = toFloat(toDouble(p) + center());
+        // Far away rounding may flatten the small ones: the bent ones come last.
+        const ShapePtr shape = makeMeshShapes(mesh, {}, false).back();
+        ASSERT_EQ(shape->kind(), GeometryKind::User);
+        const auto caster = casterOf(shape);
+        RandomStream random(seed);
+        int own = 0, rays = 0;
+        for (int i = 0; i < 100'000; ++i) {
+            const float x = random.uniform();
+            const auto start = shape->sample(V2f(x, random.uniform()));
+            const float z = random.uniform();
+            const V3f w = sampleUniformSphere(V2f(z, random.uniform()));
+            if (!start || std::abs(w.dot(start->point.ng)) < least) continue;
+            CasterHit hit;
+            ++rays;
+            own += caster->intersect(Ray{offsetOrigin(start->point, w), toDouble(w)}, hit) && hit.s < 1e-5 &&
+                   std::abs(hit.point.ng.dot(start->point.ng)) > 0.999f;
+        }
+        EXPECT_GT(rays, 90'000);
+        EXPECT_EQ(own, 0);
+    }
+}
+
+TEST_P(ClosedMesh, Instances) {
+    RandomStream random(7);
+    for (int trial = 0; trial < 12; ++trial) {
+        // Turned, stretched by up to 20 to 1, sometimes mirrored; and sometimes a group far from its own origin.
+        M44d stretch, turn, move;
+        stretch.setScale(
+            V3d(std::exp(random.uniform(-1, 2)) * (trial % 3 == 2 ? -1 : 1), std::exp(random.uniform(-1, 2)), 1));
+        turn.setAxisAngle(V3d(random.uniform(-1, 1), random.uniform(-1, 1), 1).normalized(), random.uniform(0, 6));
+        const V3d groupCenter = trial % 4 == 3 ? V3d(700, -200, 300) : V3d(0, 0, 0);
+        const Transform linear(stretch * turn);
+        move.setTranslation(center() - linear.point(groupCenter));
+        CasterInput input;
+        input.groups = {{{onlyShape(trial % 2 ? cubeMesh(groupCenter) : icosphere(1, groupCenter)), 0, true}}};
+        input.instances = {{0, linear.then(Transform(move))}};
+        const auto caster = makeEmbreeCaster(input);
+        const V3d middle = (caster->bounds().min + caster->bounds().max) / 2;
+        int lost = 0, selfHits = 0, missed = 0;
+        for (int i = 0; i < 20'000; ++i) {
+            const auto direction = [&] {
+                const float z = random.uniform();
+                return sampleUniformSphere(V2f(z, random.uniform()));
+            };
+            CasterHit start, hit;
+            if (!caster->intersect(Ray{middle, toDouble(direction())}, start)) {
+                ++missed;
+                continue;
+            }
+            const V3f w = direction();
+            const bool met = caster->intersect(Ray{offsetOrigin(start.point, w), toDouble(w)}, hit);
+            const bool outwards = w.dot(start.point.ng) > 0;
+            lost += !outwards && !met;
+            selfHits += outwards && met;
+        }
+        EXPECT_EQ(missed, 0) << trial;
+        EXPECT_EQ(lost, 0) << trial;
+        EXPECT_EQ(selfHits, 0) << trial;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Distances, ClosedMesh, testing::Values(0., 1e-3, 1., 30., 1e3, 1e5));
 
 } // namespace vitrine::test
