@@ -195,6 +195,16 @@ bool EmbreeCaster::intersect(const Ray& ray, CasterHit& hit) const {
     return true;
 }
 
+void keepIfFirst(const PrimitiveRef& ref, std::uint32_t instance, const PrimitiveHit& hit, Query& query) {
+    CasterHit& best = *query.best;
+    if (!(hit.s < query.ray->tMax) || !comesBefore(hit.s, instance, ref.id, ref.prim, best)) return;
+    best.s = hit.s;
+    best.id = ref.id;
+    best.instance = instance;
+    best.shape = ref.shape;
+    best.primitive = hit;
+}
+
 /// Weighs Embree's hit against the best so far, both in double. False when in double it lies behind the origin: then
 /// Embree has to go on from there.
 bool EmbreeCaster::takeMeshHit(Query& query, const RTCRayHit& found) const {
@@ -215,14 +225,11 @@ bool EmbreeCaster::takeMeshHit(Query& query, const RTCRayHit& found) const {
         hit.s = (p - ray.o).dot(ray.d) / ray.d.length2();
         if (!(hit.s > 0)) return false;
     }
-    CasterHit& best = *query.best;
-    if (hit.s < query.ray->tMax && comesBefore(hit.s, instance, ref.id, ref.prim, best)) {
-        best.s = hit.s;
-        best.id = ref.id;
-        best.instance = instance;
-        best.shape = ref.shape;
-        best.primitive = hit;
-    }
+    keepIfFirst(ref, instance, hit, query);
+    if (ref.rivals)
+        for (const PrimitiveRef& rival : group.rivalsOf(ref, found.hit.geomID))
+            if (rival.shape->intersect(rival.prim, ray, 0, infinityD, hit) && rival.shape->solve(rival.prim, ray, hit))
+                keepIfFirst(rival, instance, hit, query);
     return true;
 }
 

@@ -46,6 +46,7 @@ struct Group::Merged {
     std::vector<V3f> corners;
     std::vector<std::uint32_t> indices;
     std::vector<PrimitiveRef> table;
+    std::optional<CoincidentFaces> coincident;
 
     void add(const Group& group, const CasterShape& entry) {
         const Shape& shape = *entry.shape;
@@ -57,7 +58,7 @@ struct Group::Merged {
                     indices.push_back(std::uint32_t(corners.size()));
                     corners.push_back(group.moved(shape.vertices() + 3 * std::size_t(v[k])));
                 }
-                table.push_back(PrimitiveRef{&shape, entry.id, prim, farHalf});
+                table.push_back(PrimitiveRef{&shape, entry.id, prim, farHalf, 0});
             };
             if (perFace == 4 && from == 4)
                 addFace({0, 1, 2, 3}, false);
@@ -138,7 +139,7 @@ Group::Group(const std::vector<CasterShape>& shapes, const Extent& extent, doubl
                 merged->add(*this, entry);
             else
                 for (unsigned prim = 0; prim < entry.shape->primitiveCount(); ++prim)
-                    analytic->table.push_back(PrimitiveRef{entry.shape.get(), entry.id, prim, false});
+                    analytic->table.push_back(PrimitiveRef{entry.shape.get(), entry.id, prim});
         }
         if (!merged->table.empty()) addMerged(std::move(merged), castsShadow);
         if (!analytic->table.empty()) addAnalytic(std::move(analytic), castsShadow);
@@ -167,12 +168,13 @@ void Group::addLargeMesh(const CasterShape& entry) {
     }
     rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, quads ? RTC_FORMAT_UINT4 : RTC_FORMAT_UINT3,
                                shape.indices(), 0, (quads ? 4 : 3) * sizeof(std::uint32_t), shape.primitiveCount());
-    attach(std::move(geometry), entry.castsShadow, Geometry{&shape, entry.id, nullptr});
+    attach(std::move(geometry), entry.castsShadow, Geometry{&shape, entry.id, nullptr, nullptr});
 }
 
 void Group::addMerged(std::unique_ptr<Merged> merged, bool castsShadow) {
     const bool quads = merged->perFace == 4;
     const std::size_t count = merged->corners.size();
+    merged->coincident.emplace(merged->table);
     merged->corners.emplace_back(0.f, 0.f, 0.f); // Embree reads 16 bytes at the last vertex
     GeometryPtr geometry = newGeometry(quads ? RTC_GEOMETRY_TYPE_QUAD : RTC_GEOMETRY_TYPE_TRIANGLE);
     rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, merged->corners.data(), 0,
@@ -180,7 +182,7 @@ void Group::addMerged(std::unique_ptr<Merged> merged, bool castsShadow) {
     rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, quads ? RTC_FORMAT_UINT4 : RTC_FORMAT_UINT3,
                                merged->indices.data(), 0, merged->perFace * sizeof(std::uint32_t),
                                merged->table.size());
-    attach(std::move(geometry), castsShadow, Geometry{nullptr, 0, &merged->table});
+    attach(std::move(geometry), castsShadow, Geometry{nullptr, 0, &merged->table, &*merged->coincident});
     merged_.push_back(std::move(merged));
 }
 
@@ -193,7 +195,7 @@ void Group::addAnalytic(std::unique_ptr<Analytic> analytic, bool castsShadow) {
     rtcSetGeometryBoundsFunction(geometry.get(), Analytic::bounds, nullptr);
     rtcSetGeometryIntersectFunction(geometry.get(), Analytic::intersect);
     rtcSetGeometryOccludedFunction(geometry.get(), Analytic::occluded);
-    attach(std::move(geometry), castsShadow, Geometry{nullptr, 0, &analytic->table});
+    attach(std::move(geometry), castsShadow, Geometry{nullptr, 0, &analytic->table, nullptr});
     analytic_.push_back(std::move(analytic));
 }
 

@@ -1,7 +1,7 @@
 // A list of shapes as one Embree scene: the world's own shapes, or those of an instanced group.
 #pragma once
 
-#include "accel/embree_query.h"
+#include "accel/coincident_faces.h"
 
 namespace vitrine::embree {
 
@@ -36,6 +36,10 @@ class Group {
         if (geometry.table) return (*geometry.table)[primID];
         return PrimitiveRef{geometry.shape, geometry.id, primID};
     }
+    /// The faces that share the place of `ref`, for which ref.rivals is not 0.
+    const std::vector<PrimitiveRef>& rivalsOf(const PrimitiveRef& ref, unsigned geomID) const {
+        return geometries_[geomID].coincident->list(ref.rivals);
+    }
 
     /// Shapes that no box holds: infinite ones, and those too large for Embree's floats.
     const std::vector<CasterShape>& unbounded() const { return unbounded_; }
@@ -46,6 +50,7 @@ class Group {
         const Shape* shape = nullptr; ///< null when there is a table
         std::uint32_t id = 0;
         const std::vector<PrimitiveRef>* table = nullptr;
+        const CoincidentFaces* coincident = nullptr; ///< of small meshes, which have a table
     };
     struct Merged;   ///< small meshes, copied into one
     struct Analytic; ///< primitives solved in double

@@ -20,7 +20,9 @@ struct PrimitiveRef {
     std::uint32_t id = 0;
     std::uint32_t prim = 0;
     /// The second triangle of a quad that was split: its (u,v) count from the far corner.
-    bool farHalf = false;
+    std::uint32_t farHalf : 1 = 0;
+    /// Which of Group::coincident() lies in the same place, if any; else 0.
+    std::uint32_t rivals : 31 = 0;
 };
 
 /// A ray under way. Embree hands it to the callbacks as its context.

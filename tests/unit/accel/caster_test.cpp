@@ -149,6 +149,41 @@ TEST_P(BothCasters, TiesBetweenMeshAndAnalyticShapeGoToTheLowerNumber) {
     }
 }
 
+TEST_P(BothCasters, TiesBetweenSmallMeshesGoToTheLowerNumber) {
+    // Faces in the plane z = 1 of several shapes: quads, triangles, of different size, some seen from below.
+    MeshInput triangle;
+    triangle.p = {V3f(-3, -1, 1), V3f(3, -1, 1), V3f(0, 4, 1)};
+    triangle.triangles = {0, 2, 1};
+    const ShapePtr shapes[] = {sheet(1), onlyShape(cubeMesh(V3d(0.2, 0.1, 0), 1)), onlyShape(triangle),
+                               onlyShape(patch(V3d(-3, -2, 1), V3d(2, -3, 1), V3d(-2, 3, 1), V3d(3, 2, 1)))};
+    RandomStream random(2);
+    for (std::uint32_t first = 0; first < std::size(shapes); ++first) {
+        CasterInput input;
+        for (std::uint32_t i = 0; i < std::size(shapes); ++i)
+            input.shapes.push_back({shapes[i], (i + first) % std::uint32_t(std::size(shapes)), true});
+        const auto caster = make(input);
+        for (int i = 0; i < 1000; ++i) {
+            const V3d o(random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(1.1, 9));
+            const V3d target(random.uniform(-0.7, 0.7), random.uniform(-0.8, 0.9), 1);
+            ASSERT_EQ(hitOf(*caster, Ray{o, target - o}).id, 0u) << first;
+        }
+    }
+}
+
+TEST_P(BothCasters, TiesBetweenEqualMeshesGoToTheLowerNumber) {
+    M44d m;
+    m.setAxisAngle(V3d(1, 2, 3).normalized(), 1.);
+    CasterInput input;
+    for (const std::uint32_t id : {5u, 2u, 8u})
+        input.shapes.push_back({onlyShape(cubeMesh(), Transform(m)), id, true});
+    const auto caster = make(input);
+    RandomStream random(3);
+    for (int i = 0; i < 1000; ++i)
+        ASSERT_EQ(
+            hitOf(*caster, Ray{V3d(0, 0, 0), toDouble(sampleUniformSphere(V2f(float(i) / 1000, random.uniform())))}).id,
+            2u);
+}
+
 TEST_P(BothCasters, InstancesCarryPointsAndNormals) {
     CasterInput input;
     input.groups = {{{sphereAt(V3d(1, 0, 0), 0.5), 0, true}, {sheet(-1), 1, true}}};
