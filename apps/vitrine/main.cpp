@@ -19,6 +19,36 @@ int fail(ExitCode code, const std::string& message) {
     return code;
 }
 
+/// What may have been meant by an argument that CLI11 does not know, or "".
+std::string meant(const CLI::App& app, const CLI::App& command, const std::string& argument) {
+    std::vector<std::string> names;
+    if (argument.starts_with("-"))
+        for (const CLI::Option* option : command.get_options())
+            for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+    else if (&app == &command)
+        for (const CLI::App* each : app.get_subcommands({})) names.push_back(each->get_name());
+    return vitrine::didYouMean(argument.substr(0, argument.find('=')), names);
+}
+
+int explain(const CLI::App& app, const CLI::ParseError& error) {
+    const auto chosen = app.get_subcommands();
+    const CLI::App& command = chosen.empty() ? app : *chosen.front();
+    const std::vector<std::string> unknown = command.remaining();
+    if (unknown.empty()) {
+        fmt::print(stderr, "vitrine: {}\n", error.what());
+    } else {
+        const bool isCommand = chosen.empty() && !unknown.front().starts_with("-");
+        fmt::print(stderr, "vitrine: unknown {} \"{}\"\n", isCommand ? "command" : "argument", unknown.front());
+        if (const std::string hint = meant(app, command, unknown.front()); !hint.empty())
+            fmt::print(stderr, "    {}\n", hint);
+    }
+    if (chosen.empty())
+        fmt::print(stderr, "Run \"vitrine --help\" for the commands.\n");
+    else
+        fmt::print(stderr, "Run \"vitrine {} --help\" for its arguments.\n", command.get_name());
+    return wrongInput;
+}
+
 int run(int argc, char** argv) {
     CLI::App app("Vitrine renders light through glass and off metal.", "vitrine");
     app.set_version_flag("--version", VITRINE_VERSION);
@@ -35,11 +65,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& e) {
         // Help and version are no errors; everything else that CLI11 finds is a wrong argument.
         if (e.get_exit_code() == 0) return app.exit(e);
-        fmt::print(stderr, "vitrine: {}\n", e.what());
-        for (const CLI::App* command : app.get_subcommands())
-            fmt::print(stderr, "Run \"vitrine {} --help\" for its arguments.\n", command->get_name());
-        if (app.get_subcommands().empty()) fmt::print(stderr, "Run \"vitrine --help\" for the commands.\n");
-        return wrongInput;
+        return explain(app, e);
     }
     return exitCode;
 }

@@ -105,7 +105,11 @@ void readOverrides(RenderArguments& a) {
 
 /// Finds out before hours of rendering, not after, that a picture could not be written.
 void checkOutput(const std::string& file) {
-    checkImageName(file);
+    try {
+        checkImageName(file);
+    } catch (const FileError& e) {
+        throw std::invalid_argument(e.what()); // the argument is wrong, no file has been touched
+    }
     const fs::path folder = fs::absolute(file).parent_path();
     std::error_code ignored;
     if (!fs::is_directory(folder, ignored)) throw FileError(file, "there is no folder " + folder.string());

@@ -85,6 +85,8 @@ SpectrumPtr findSpectrum(BuildContext& context, const ParameterSet& parameters, 
         return fromPairs(lambdas, values);
     } catch (const std::invalid_argument& e) {
         parameters.error(name, e.what());
+    } catch (const FileError& e) {
+        parameters.error(name, e.what());
     } catch (const SceneError& e) {
         for (const auto& d : e.diagnostics()) context.diagnostics().error(d.place, d.message, d.hint);
     }

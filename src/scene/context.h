@@ -31,6 +31,10 @@ class BuildContext {
             diagnostics_.error(node.place, e.what());
         } catch (const std::domain_error& e) {
             diagnostics_.error(node.place, e.what());
+        } catch (const FileError& e) {
+            // A file that the scene names: the scene is wrong there, and may be wrong elsewhere too.
+            const bool named = node.parameters.has("filename");
+            diagnostics_.error(named ? node.parameters.valuePlace("filename", 0) : node.place, e.what());
         }
         // After a failure not everything has been asked for: unread parameters would be false alarms.
         if (finished)
@@ -45,6 +49,10 @@ class BuildContext {
     /// Files besides scene texts that were read.
     const std::set<std::string>& files() const { return files_; }
 
+    /// For `vitrine info`.
+    void countPrimitives(std::size_t n) { primitives_ += n; }
+    std::size_t primitives() const { return primitives_; }
+
     /// Named spectra and .spd files are shared.
     SpectrumPtr namedOrFile(const SpectrumNode& node);
 
@@ -52,6 +60,7 @@ class BuildContext {
     const SceneNodes& nodes_;
     Diagnostics& diagnostics_;
     std::set<std::string> files_;
+    std::size_t primitives_ = 0;
     std::map<std::string, SpectrumPtr> spectra_;
 };
 

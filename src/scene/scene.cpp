@@ -121,6 +121,7 @@ Scene buildScene(SceneNodes nodes, const Overrides& overrides) {
     scene.outputFile = film.fileName.empty() ? defaultOutput(nodes.name) : film.fileName;
     for (const auto& d : diagnostics.all()) scene.warnings.push_back(d);
     count(nodes, scene);
+    scene.primitives = context.primitives();
     describe(nodes, scene);
 
     Fingerprint fingerprint;

@@ -54,10 +54,12 @@ class WorldBuilder {
         const auto shapes = buildShape(context_, node);
         const MaterialPtr& material = materials_[std::size_t(node.material)];
         warnOfOpenGlass(node, shapes, material);
-        for (const auto& shape : shapes)
+        for (const auto& shape : shapes) {
+            context_.countPrimitives(shape->primitiveCount());
             if (shape->kind() != GeometryKind::Unbounded && isFar(shape->bounds()))
                 context_.diagnostics().error(
                     node.place, fmt::format("this {} reaches too far: coordinates go up to {:g}", node.type, farthest));
+        }
         std::vector<std::shared_ptr<AreaLight>> lights;
         if (node.areaLight >= 0) {
             if (mayShine)
