@@ -42,7 +42,8 @@ struct CasterHit {
 class Caster {
   public:
     virtual ~Caster() = default;
-    /// The closest crossing with s in (0, ray.tMax). Rays with NaN, infinite or all-zero directions meet nothing.
+    /// The closest crossing with s in (0, ray.tMax). Rays with NaN, infinite or all-zero directions meet nothing. `hit` may
+    /// hold anything before; after a miss its shape is null and its s infinite.
     virtual bool intersect(const Ray& ray, CasterHit& hit) const = 0;
     /// Whether anything that casts a shadow is met with s in (0, ray.tMax).
     virtual bool occluded(const Ray& ray) const = 0;

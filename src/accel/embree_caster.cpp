@@ -46,7 +46,7 @@ class EmbreeCaster final : public Caster {
     void intersectUnbounded(const Ray& ray, CasterHit& best) const;
     bool unboundedOcclude(const Ray& ray) const;
     bool takeMeshHit(Query& query, const RTCRayHit& found) const;
-    void fillPoint(const Ray& ray, CasterHit& hit) const;
+    void describe(const Ray& ray, CasterHit& hit) const;
 
     std::vector<Placed> placed_;
     std::vector<InstanceRounding> rounding_;
@@ -191,7 +191,7 @@ bool EmbreeCaster::intersect(const Ray& ray, CasterHit& hit) const {
         }
     }
     if (!hit.shape) return false;
-    fillPoint(ray, hit);
+    describe(ray, hit);
     return true;
 }
 
@@ -233,17 +233,17 @@ bool EmbreeCaster::takeMeshHit(Query& query, const RTCRayHit& found) const {
     return true;
 }
 
-void EmbreeCaster::fillPoint(const Ray& ray, CasterHit& hit) const {
+void EmbreeCaster::describe(const Ray& ray, CasterHit& hit) const {
     const bool isMesh = hit.shape->kind() == GeometryKind::Triangles || hit.shape->kind() == GeometryKind::Quads;
     if (hit.instance == CasterHit::noInstance) {
-        hit.point = hit.shape->pointAt(ray, hit.primitive);
+        fillPoint(hit.point, *hit.shape, ray, hit.primitive);
         // Embree saw the mesh and the origin moved by -center: that is the origin it rounds.
         if (isMesh && extent_.center != V3d(0, 0, 0))
             hit.point.error += originError(hit.point.p - extent_.center) - originError(hit.point.p);
         return;
     }
     const Placed& placed = placed_[hit.instance];
-    hit.point = hit.shape->pointAt(placed.toInstance(ray), hit.primitive);
+    fillPoint(hit.point, *hit.shape, placed.toInstance(ray), hit.primitive);
     placed.toWorld(hit.point);
     if (isMesh) {
         const InstanceRounding& rounding = rounding_[hit.instance];

@@ -7,14 +7,27 @@ namespace vitrine {
 
 namespace {
 
-/// Fixed dimensions of the sample streams: filter, lens and wavelength, then this many a bounce.
-constexpr std::uint32_t cameraDimensions = 3, bounceDimensions = 5;
+/// Fixed dimensions of the sample streams: filter and lens, then this many a bounce.
+constexpr std::uint32_t cameraDimensions = 2, bounceDimensions = 5;
 
 /// The last scattering, for weighing light that the path then runs into.
 struct LastBounce {
     V3d p;
     float pdf = 0;
     bool specular = true; ///< also for the camera: no light sample competes
+};
+
+/// Wavelengths of a pixel's samples: a random start and steps of the golden ratio, whatever the sampler. Any run of samples
+/// is spread evenly, so that bright lights do not show colour noise.
+class WavelengthRotation {
+  public:
+    WavelengthRotation(std::uint64_t seed, const V2i& pixel)
+        : start_(std::uint32_t(streamKey(0x6c616d626461ull, seed, pixel.x, pixel.y) >> 32)) {}
+
+    float at(std::uint64_t sample) const { return unitFloat(start_ + std::uint32_t(sample) * 0x9e3779b9u); }
+
+  private:
+    std::uint32_t start_;
 };
 
 float misWeight(const LastBounce& last, bool nee, float pdfLight) {
@@ -102,11 +115,12 @@ SampledSpectrum PathIntegrator::radiance(const World& world, const Ray& ray, con
 void PathIntegrator::addPasses(const World& world, PassRange passes, Film& film, RenderCounters& counters) const {
     const FilmSettings& settings = film.settings();
     const auto renderPixel = [&](const V2i& pixel) {
+        const WavelengthRotation wavelengths(sampler_.seed, pixel);
         for (std::uint64_t pass = passes.begin; pass < passes.end; ++pass) {
             SampleStream stream(sampler_, pixel, pass);
             const Filter::Sample filtered = film.filter().sample(stream.get2D());
             const V2f lens = stream.get2D();
-            const SampledWavelengths lambda = SampledWavelengths::visible(stream.get1D());
+            const SampledWavelengths lambda = SampledWavelengths::visible(wavelengths.at(pass));
             const V2d raster(pixel.x + 0.5 + filtered.p.x, pixel.y + 0.5 + filtered.p.y);
             SampledSpectrum radianceIn(0.f);
             if (const auto camera = world.camera->generate({raster, lens}))

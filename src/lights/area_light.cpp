@@ -19,12 +19,14 @@ std::optional<LightSample> AreaLight::sample(const V3d& p, const V2f& u, const S
     const V3d toLight = onShape->point.p - p;
     const double distance = toLight.length();
     if (!(distance > 0)) return {};
-    LightSample sample;
-    sample.wi = toFloat(toLight / distance);
-    sample.l = emitted(onShape->point, -sample.wi, lambda);
-    if (sample.l.isBlack()) return {};
-    sample.pdf = onShape->pdf;
-    sample.shadow = shadowTo(offsetOrigin(onShape->point, -sample.wi), p);
+    const V3f wi = toFloat(toLight / distance);
+    const SampledSpectrum l = emitted(onShape->point, -wi, lambda);
+    if (l.isBlack()) return {};
+    std::optional<LightSample> sample(std::in_place);
+    sample->wi = wi;
+    sample->l = l;
+    sample->pdf = onShape->pdf;
+    sample->shadow = shadowTo(offsetOrigin(onShape->point, -wi), p);
     return sample;
 }
 

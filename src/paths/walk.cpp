@@ -45,7 +45,6 @@ void Walk::passThrough(const Vertex& vertex) {
 
 bool Walk::advance(Vertex& vertex) {
     for (int i = 0; i < maxPasses; ++i) {
-        vertex.hit = CasterHit();
         const bool met = world_.caster->intersect(ray, vertex.hit);
         if (world_.hasAbsorption && !interior_.empty())
             beta *= transmittance(interior_.current(), met ? vertex.hit.s : infinityD, lambda_);

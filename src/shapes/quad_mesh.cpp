@@ -6,10 +6,10 @@ namespace vitrine {
 
 namespace {
 
-/// A rectangle counts as near within so many of its diagonals. Farther away it fills less than 1/32 steradian, and the
-/// inverse square of the distance varies by less than a quarter to either side over it.
-constexpr double nearDiagonals = 4;
-/// How far from a rectangle one may be to be sampled as one.
+/// A rectangle counts as near within so many of its diagonals. Farther away it fills less than 1/8 steradian, and what a
+/// sample by area weighs varies by a half at the most to either side.
+constexpr double nearDiagonals = 2;
+/// How far from right its angles may be (as a cosine).
 constexpr double rectangleTolerance = 1e-5;
 
 /// The quad's normal, as long as twice its area: the cross product of its diagonals.
@@ -42,20 +42,16 @@ bool isPlanarQuad(const V3d& p0, const V3d& p1, const V3d& p2, const V3d& p3) {
 
 QuadMesh::QuadMesh(std::shared_ptr<const MeshVertices> vertices, std::vector<std::uint32_t> indices)
     : MeshShape(std::move(vertices), std::move(indices)) {
-    if (primitiveCount() == 1) {
-        const auto [p] = corners(0);
-        const V3d ex = p[1] - p[0], ey = p[3] - p[0];
-        const double width = ex.length(), height = ey.length();
-        const bool isRectangle = width > 0 && height > 0 &&
-                                 std::abs(ex.dot(ey)) <= rectangleTolerance * width * height &&
-                                 (p[2] - p[1] - ey).length() <= rectangleTolerance * std::min(width, height);
-        center_ = (p[0] + p[2]) / 2;
-        if (isRectangle) nearDistance2_ = sqr(nearDiagonals) * (p[2] - p[0]).length2();
-    }
     if (primitiveCount() > maxReadyFacets) return;
     facets_.reserve(primitiveCount());
     for (unsigned prim = 0; prim < primitiveCount(); ++prim)
         facets_.push_back(facet(prim));
+    if (primitiveCount() != 1 || !facets_[0].parallelogram || !mesh().n.empty()) return;
+    const auto [p] = corners(0);
+    const V3d ex = p[1] - p[0], ey = p[3] - p[0];
+    if (!(std::abs(ex.dot(ey)) <= rectangleTolerance * ex.length() * ey.length())) return;
+    center_ = (p[0] + p[2]) / 2;
+    nearDistance2_ = sqr(nearDiagonals) * (p[2] - p[0]).length2();
 }
 
 QuadMesh::Corners QuadMesh::corners(unsigned prim) const {
@@ -220,13 +216,32 @@ std::optional<SphericalRectangle> QuadMesh::seenRectangle(const V3d& from) const
 }
 
 std::optional<ShapeSample> QuadMesh::sample(const V3d& from, const V2f& u) const {
+    if (!(nearDistance2_ > 0)) return Shape::sample(from, u);
     const std::optional<SphericalRectangle> seen = seenRectangle(from);
-    if (!seen) return Shape::sample(from, u);
-    const V2d at = seen->sample(u);
-    PrimitiveHit hit;
-    hit.u = at.x;
-    hit.v = at.y;
-    return ShapeSample{pointAt(Ray{}, hit), float(1 / seen->solidAngle())};
+    const V2d at = seen ? seen->sample(u) : V2d(u.x, u.y);
+    const QuadFacet& facet = facets_[0];
+    const std::uint32_t* v = face(0);
+    const V3d p0 = corner(v[0]);
+    // Built in place: this is called for every shadow ray.
+    std::optional<ShapeSample> result(std::in_place);
+    SurfacePoint& point = result->point;
+    point.p = p0 + (corner(v[1]) - p0) * at.x + (corner(v[3]) - p0) * at.y;
+    point.error = originError(point.p) + facet.error;
+    point.ng = mesh().flips ? -facet.ng : facet.ng;
+    point.ns = point.ng;
+    point.uv = V2f(float(at.x), float(at.y));
+    point.dpdu = facet.dpdu;
+    point.dpdv = facet.dpdv;
+    point.dndu = point.dndv = V3f(0, 0, 0);
+    if (seen) {
+        result->pdf = float(1 / seen->solidAngle());
+        return result;
+    }
+    const V3d d = point.p - from;
+    const double distance2 = d.length2(), cosine = std::abs(d.dot(toDouble(point.ng))) / std::sqrt(distance2);
+    result->pdf = areaToSolidAngle(1 / area(), distance2, cosine);
+    if (!(result->pdf > 0) || !std::isfinite(result->pdf)) result.reset();
+    return result;
 }
 
 float QuadMesh::pdf(const V3d& from, const PrimitiveHit& hit, const SurfacePoint& point) const {

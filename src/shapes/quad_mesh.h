@@ -53,7 +53,7 @@ class QuadMesh final : public MeshShape {
     std::optional<SphericalRectangle> seenRectangle(const V3d& from) const;
 
     std::vector<QuadFacet> facets_; ///< of small meshes; large ones make them anew at each hit
-    // Of a mesh that is one rectangle; else the distance is zero.
+    // Of a mesh that is one rectangle without shading normals; else the distance is zero.
     V3d center_{0, 0, 0};
     double nearDistance2_ = 0;
 };

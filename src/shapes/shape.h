@@ -7,6 +7,7 @@
 #include "core/vec.h"
 
 #include <memory>
+#include <new>
 #include <optional>
 #include <string>
 #include <vector>
@@ -95,6 +96,12 @@ class Shape {
 };
 
 using ShapePtr = std::shared_ptr<const Shape>;
+
+/// point = shape.pointAt(ray, hit), made in place: copying a point that was just written stalls the processor, which
+/// cannot forward many small stores to few large loads.
+inline void fillPoint(SurfacePoint& point, const Shape& shape, const Ray& ray, const PrimitiveHit& hit) {
+    ::new (static_cast<void*>(&point)) SurfacePoint(shape.pointAt(ray, hit));
+}
 
 /// Start of a ray that leaves a surface at p towards w: off the surface on w's side by the point's error.
 inline V3d offsetOrigin(const SurfacePoint& point, const V3f& w) {

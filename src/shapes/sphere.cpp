@@ -257,8 +257,9 @@ std::optional<ShapeSample> Sphere::sample(const V3d& from, const V2f& u) const {
 float Sphere::pdf(const V3d& from, const PrimitiveHit& hit, const SurfacePoint& point) const {
     const double distance2 = (from - center_).length2();
     if (!isOutside(distance2)) return Shape::pdf(from, hit, point);
-    // The far side, met through a near side that lets light pass, is never drawn.
-    if ((point.p - center_).dot(from - point.p) < 0) return 0;
+    // The far side, met through a near side that lets light pass, is never drawn. (At the rim rounding decides.)
+    const V3d back = from - point.p;
+    if ((point.p - center_).dot(back) < -1e-5 * worldRadius_ * back.length()) return 0;
     return conePdf(distance2, worldRadius2_);
 }
 

@@ -144,7 +144,7 @@ TEST(Sphere, ConeSamplesLieInSightWithTheDensityOfTheCone) {
         if (placement.name == "uneven") continue;
         const Sphere sphere(placement.worldFromObject, false, 1, -1, 1, 360);
         const V3d center = placement.worldFromObject.point(V3d(0, 0, 0));
-        for (const double away : {1e-12, 1e-6, 1e-2, 1., 1e3, 1e7})
+        for (const double away : {1e-8, 1e-6, 1e-2, 1., 1e3, 1e7})
             for (int i = 0; i < 300; ++i) {
                 const V3d from = center + randomUnit(rng) * (1 + away);
                 const auto drawn = sphere.sample(from, V2f(rng.uniform(), rng.uniform()));
@@ -162,6 +162,26 @@ TEST(Sphere, ConeSamplesLieInSightWithTheDensityOfTheCone) {
                 EXPECT_NEAR((point.p - center).length(), 1, 1e-14);
             }
     }
+}
+
+TEST(Sphere, FromItsOwnSurfaceIsSampledByAreaAndTheFarSideNeverByTheCone) {
+    const Sphere sphere(Transform(), false, 2, -2, 2, 360);
+    RandomStream rng(20261);
+    for (int i = 0; i < 1000; ++i) {
+        // A point of the surface may be rounded to either side; both must see the whole sphere.
+        const V3d from = randomUnit(rng) * (2 * (1 + rng.uniform(-1, 1) * 1e-15));
+        const V2f u(rng.uniform(), rng.uniform());
+        const auto drawn = sphere.sample(from, u);
+        ASSERT_TRUE(drawn);
+        EXPECT_EQ(drawn->point.p, sphere.sample(u)->point.p);
+        EXPECT_FLOAT_EQ(drawn->pdf, sphere.pdf(from, PrimitiveHit{}, drawn->point));
+    }
+    const V3d outside(0, 0, 5);
+    SurfacePoint far;
+    far.p = V3d(0, 0, -2);
+    EXPECT_EQ(sphere.pdf(outside, PrimitiveHit{}, far), 0);
+    far.p = V3d(0, 0, 2);
+    EXPECT_GT(sphere.pdf(outside, PrimitiveHit{}, far), 0);
 }
 
 TEST(Sphere, SamplingFromInsideIsByArea) {
