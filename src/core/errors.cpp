@@ -157,11 +157,13 @@ FileError::FileError(std::string file, const std::string& message)
     : std::runtime_error(file + ": " + message), file_(std::move(file)) {}
 
 void Diagnostics::error(Place place, std::string message, std::string hint) {
+    if (full()) return;
     ++errors_;
     all_.push_back({Diagnostic::Severity::Error, std::move(place), std::move(message), std::move(hint)});
 }
 
 void Diagnostics::warning(Place place, std::string message, std::string hint) {
+    if (all_.size() - errors_ >= maxErrors) return;
     all_.push_back({Diagnostic::Severity::Warning, std::move(place), std::move(message), std::move(hint)});
 }
 

@@ -67,7 +67,7 @@ class FileError : public std::runtime_error {
 /// Collects errors and warnings so that one run shows them all.
 class Diagnostics {
   public:
-    /// After this many errors reading stops: more would bury the first.
+    /// After this many errors reading stops, and no more are kept, nor more warnings: they would bury the first.
     static constexpr std::size_t maxErrors = 20;
 
     void error(Place place, std::string message, std::string hint = {});

@@ -76,6 +76,18 @@ std::vector<std::uint32_t> splitQuads(const MeshVertices& mesh, std::vector<std:
     return bent;
 }
 
+/// Vectors whose squares would leave single precision, brought back. All by one factor, as they are interpolated: only
+/// their ratios count.
+void bringIntoRange(std::vector<V3f>& vectors) {
+    constexpr float smallest = 1e-15f, greatest = 1e15f;
+    float largest = 0;
+    for (const V3f& v : vectors)
+        largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (largest == 0 || (largest > smallest && largest < greatest)) return;
+    for (V3f& v : vectors)
+        v /= largest;
+}
+
 } // namespace
 
 std::vector<ShapePtr> makeMeshShapes(MeshInput input, const Transform& worldFromObject, bool reverseOrientation) {
@@ -98,6 +110,8 @@ std::vector<ShapePtr> makeMeshShapes(MeshInput input, const Transform& worldFrom
     toWorld(vertices->p, "P", [&](const V3d& p) { return worldFromObject.point(p); });
     toWorld(vertices->n, "N", [&](const V3d& n) { return worldFromObject.normal(n) * (reverseOrientation ? -1 : 1); });
     toWorld(vertices->s, "S", [&](const V3d& s) { return worldFromObject.vector(s); });
+    bringIntoRange(vertices->n);
+    bringIntoRange(vertices->s);
     vertices->p.emplace_back(0.f, 0.f, 0.f);
 
     std::vector<ShapePtr> shapes;
