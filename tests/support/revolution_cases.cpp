@@ -28,11 +28,12 @@ CurveSample sampleCurve(std::vector<V2d> c, double t) {
     return {c[0], d};
 }
 
-double smallestRadius(const std::vector<V2d>& points) {
-    double least = infinityD;
-    for (int i = 0; i <= 400; ++i)
-        least = std::min(least, sampleCurve(points, i / 400.).p.x);
-    return least;
+bool isRadiusNegative(const std::vector<V2d>& points) {
+    const std::size_t n = points.size() - 1;
+    if ((points[0].x == 0 && points[1].x < 0) || (points[n].x == 0 && points[n - 1].x < 0)) return true;
+    for (int i = 0; i <= 400; ++i) // densest at the ends
+        if (sampleCurve(points, (1 - std::cos(piD * i / 400)) / 2).p.x < 0) return true;
+    return false;
 }
 
 double logUniform(RandomStream& random, double lowExponent, double highExponent) {
@@ -97,6 +98,7 @@ ProfilePoints randomProfile(RandomStream& random, int degree) {
         for (int k = 1; k <= degree; ++k)
             c.push_back(point((i + double(k) / degree) / segments));
         c.back().x = random.uniformDouble() < 0.15 ? 0 : std::abs(c.back().x);
+        if (degree == 1 && start.x == 0 && c.back().x == 0) c.back().x = 0.3; // a line along the axis has no area
         const double shape = random.uniformDouble();
         for (V2d& p : c) {
             if (shape < 0.08) p.y = start.y;               // a flat rim
@@ -105,7 +107,7 @@ ProfilePoints randomProfile(RandomStream& random, int degree) {
         c.front() = start;
         if (shape > 0.5 && shape < 0.55 && degree > 2) c[1] = c[0];
         // Raise the inner control points until the radius is nowhere negative.
-        for (int tries = 0; smallestRadius(c) < 0; ++tries)
+        for (int tries = 0; isRadiusNegative(c); ++tries)
             for (std::size_t k = 1; k + 1 < c.size(); ++k)
                 c[k].x = tries < 20 ? lerp(0.9, c[k].x, std::abs(c[k].x) + 0.05) : std::abs(c[k].x);
         start = c.back();
