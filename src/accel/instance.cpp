@@ -2,19 +2,6 @@
 
 namespace vitrine {
 
-namespace {
-
-/// Frobenius norm of the linear part.
-double linearNorm(const M44d& m) {
-    double sum = 0;
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-            sum += sqr(m[i][j]);
-    return std::sqrt(sum);
-}
-
-} // namespace
-
 Placed::Placed(const CasterInstance& instance)
     : group_(instance.group), worldFromInstance_(instance.worldFromInstance),
       instanceFromWorld_(instance.worldFromInstance.inverse()), stretch_(linearNorm(worldFromInstance_.matrix())),

@@ -4,16 +4,25 @@
 
 namespace vitrine {
 
-namespace {
-
-bool isFinite(const M44d& matrix) {
+bool isFinite(const M44d& m) {
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j)
-            if (!std::isfinite(matrix[i][j])) return false;
+            if (!std::isfinite(m[i][j])) return false;
     return true;
 }
 
-} // namespace
+double linearDeterminant(const M44d& m) {
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+double linearNorm(const M44d& m) {
+    double sum = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            sum += sqr(m[i][j]);
+    return std::sqrt(sum);
+}
 
 Transform::Transform(const M44d& matrix) : matrix_(matrix) {
     if (!isFinite(matrix)) throw std::domain_error("the transformation is not finite");
@@ -26,11 +35,7 @@ Transform::Transform(const M44d& matrix) : matrix_(matrix) {
 }
 
 bool Transform::swapsHandedness() const {
-    const auto& m = matrix_;
-    const double det = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-                       m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-                       m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-    return det < 0;
+    return linearDeterminant(matrix_) < 0;
 }
 
 Box3d Transform::box(const Box3d& b) const {

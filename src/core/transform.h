@@ -6,6 +6,12 @@
 
 namespace vitrine {
 
+bool isFinite(const M44d& m);
+/// Determinant of the linear part.
+double linearDeterminant(const M44d& m);
+/// Frobenius norm of the linear part: at least its largest stretch of a vector, at most sqrt(3) times that.
+double linearNorm(const M44d& m);
+
 /// An invertible affine map between two named spaces, as in `worldFromObject`.
 class Transform {
   public:

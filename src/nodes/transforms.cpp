@@ -6,13 +6,6 @@ namespace vitrine {
 
 namespace {
 
-bool isFinite(const M44d& m) {
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j)
-            if (!std::isfinite(m[i][j])) return false;
-    return true;
-}
-
 M44d affine(const V3d& x, const V3d& y, const V3d& z, const V3d& origin) {
     return M44d(x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, origin.x, origin.y, origin.z, 1);
 }

@@ -6,20 +6,6 @@ namespace vitrine {
 
 namespace {
 
-double determinant3(const M44d& m) {
-    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-}
-
-/// Frobenius norm of the linear part: between the largest singular value and sqrt(3) times it.
-double frobenius3(const M44d& m) {
-    double sum = 0;
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-            sum += sqr(m[i][j]);
-    return std::sqrt(sum);
-}
-
 bool isSimilarity3(const M44d& m, double scale) {
     // Five units in the last place of a float: what a rotation loses when it is printed in single precision.
     constexpr double tolerance = 3e-7;
@@ -36,10 +22,10 @@ bool isSimilarity3(const M44d& m, double scale) {
 Placement::Placement(const Transform& worldFromObject, bool reverseOrientation, double reach)
     : worldFromObject_(worldFromObject), objectFromWorld_(worldFromObject.inverse()),
       flips_(reverseOrientation != worldFromObject.swapsHandedness()) {
-    volumeScale_ = std::abs(determinant3(worldFromObject_.matrix()));
+    volumeScale_ = std::abs(linearDeterminant(worldFromObject_.matrix()));
     scale_ = std::cbrt(volumeScale_);
-    maxStretch_ = frobenius3(worldFromObject_.matrix());
-    minStretch_ = 1 / frobenius3(objectFromWorld_.matrix());
+    maxStretch_ = linearNorm(worldFromObject_.matrix());
+    minStretch_ = 1 / linearNorm(objectFromWorld_.matrix());
     isSimilarity_ = isSimilarity3(worldFromObject_.matrix(), scale_);
     boundErrors(reach);
     if (!(volumeScale_ > 0) || !(minStretch_ > 0) || !std::isfinite(volumeScale_) || !std::isfinite(errorBase_) ||

@@ -7,9 +7,9 @@ namespace vitrine {
 
 Plane::Plane(const Transform& worldFromObject, bool reverseOrientation, const V3d& normal, double d) {
     requireFinite("d", d);
-    if (!isFinite(normal)) throw std::invalid_argument("\"normal\" is not finite");
+    if (!isFinite(normal)) throw std::invalid_argument("\"n\" is not finite");
     const double length = normal.length();
-    if (!(length > 0) || !std::isfinite(length)) throw std::invalid_argument("\"normal\" has no direction");
+    if (!(length > 0) || !std::isfinite(length)) throw std::invalid_argument("\"n\" has no direction");
     const V3d n = normal / length;
     const double height = d / length;
     const Placement placement(worldFromObject, reverseOrientation, std::abs(height));

@@ -4,6 +4,7 @@
 #include "cameras/spherical.h"
 #include "core/frame.h"
 #include "support/chi_squared.h"
+#include "support/estimate.h"
 #include "support/look_at.h"
 
 namespace vitrine {
@@ -194,24 +195,12 @@ double radiance(const V3d& p) {
     return 1 + 0.5 * std::sin(p.x / 7) + 0.4 * std::cos(p.y / 5 + p.z / 9);
 }
 
-struct Estimate {
-    double sum = 0, sum2 = 0;
-    int n = 0;
-    void add(double x) {
-        sum += x;
-        sum2 += x * x;
-        ++n;
-    }
-    double mean() const { return sum / n; }
-    double varianceOfMean() const { return (sum2 / n - sqr(mean())) / (n - 1); }
-};
-
 constexpr int estimateSamples = 200000;
 
 /// The mean of the left half of the picture by camera rays.
-Estimate byRays(const Camera& camera, const V2i& resolution, std::uint64_t seed) {
+test::Estimate byRays(const Camera& camera, const V2i& resolution, std::uint64_t seed) {
     RandomStream random(seed, 1);
-    Estimate estimate;
+    test::Estimate estimate;
     for (int i = 0; i < estimateSamples; ++i) {
         const CameraSample sample = randomSample(resolution, random);
         const auto generated = camera.generate(sample);
@@ -225,11 +214,11 @@ Estimate byRays(const Camera& camera, const V2i& resolution, std::uint64_t seed)
 
 /// The same by connecting the sphere's points to the camera, as light tracing does. Only points of the cap of the
 /// sphere about the camera's axis are drawn.
-Estimate byPoints(const Camera& camera, const V2i& resolution, double cosMin, std::uint64_t seed) {
+test::Estimate byPoints(const Camera& camera, const V2i& resolution, double cosMin, std::uint64_t seed) {
     RandomStream random(seed, 2);
     const Frame frame(toFloat(camera.generate({V2d(resolution.x / 2., resolution.y / 2.), V2f(0.5f, 0.5f)})->ray.d));
     const double area = 2 * piD * sqr(glow) * (1 - cosMin);
-    Estimate estimate;
+    test::Estimate estimate;
     for (int i = 0; i < estimateSamples; ++i) {
         const double cosine = 1 - random.uniformDouble() * (1 - cosMin), phi = 2 * piD * random.uniformDouble();
         const double sine = std::sqrt(1 - cosine * cosine);
@@ -266,8 +255,8 @@ TEST(CameraDensities, ConnectEstimatesTheSamePictureAsGenerate) {
     const double threshold = test::sidakThreshold(0.01, int(cases.size()));
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const Case& c = cases[i];
-        const Estimate rays = byRays(*c.camera, c.resolution, i);
-        const Estimate points = byPoints(*c.camera, c.resolution, c.cosMin, i);
+        const test::Estimate rays = byRays(*c.camera, c.resolution, i);
+        const test::Estimate points = byPoints(*c.camera, c.resolution, c.cosMin, i);
         const double z = (rays.mean() - points.mean()) / std::sqrt(rays.varianceOfMean() + points.varianceOfMean());
         EXPECT_GT(test::normalPValue(z), threshold)
             << c.name << ": " << rays.mean() << " by rays, " << points.mean() << " by points";

@@ -2,6 +2,7 @@
 #include "core/equal_area.h"
 #include "lights/image_infinite_light.h"
 #include "support/chi_squared.h"
+#include "support/estimate.h"
 
 namespace vitrine {
 namespace {
@@ -121,18 +122,6 @@ TEST(EnvironmentDensities, TurnedSky) {
     EXPECT_GT(light.pdf(bright), 30 * light.pdf(-bright));
 }
 
-struct Estimate {
-    double sum = 0, sum2 = 0;
-    int n = 0;
-    void add(double x) {
-        sum += x;
-        sum2 += x * x;
-        ++n;
-    }
-    double mean() const { return sum / n; }
-    double varianceOfMean() const { return (sum2 / n - mean() * mean()) / (n - 1); }
-};
-
 /// Radiant flux density through all directions with a weight that varies, by samples of the light and by a fine grid of
 /// directions through escaped(): nothing that shines may be missed, and nothing weighed wrongly.
 TEST(EnvironmentDensities, SampledLightIsAllTheLight) {
@@ -152,7 +141,7 @@ TEST(EnvironmentDensities, SampledLightIsAllTheLight) {
                 exact += double(light.escaped(d, lambda)[0] * weight(d)) * solidAngle / (double(width) * height);
             }
         RandomStream random(41, seed++);
-        Estimate sampled;
+        test::Estimate sampled;
         double largest = 0;
         for (int i = 0; i < 100000; ++i) {
             const auto sample = light.sample(V3d(0), V2f(random.uniform(), random.uniform()), lambda);

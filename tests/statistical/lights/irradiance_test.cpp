@@ -6,6 +6,7 @@
 #include "shapes/mesh.h"
 #include "shapes/sphere.h"
 #include "support/chi_squared.h"
+#include "support/estimate.h"
 
 namespace vitrine {
 namespace {
@@ -17,22 +18,10 @@ Transform placed(const V3d& p) {
     return Transform(M44d(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, p.x, p.y, p.z, 1));
 }
 
-struct Estimate {
-    double sum = 0, sum2 = 0;
-    int n = 0;
-    void add(double x) {
-        sum += x;
-        sum2 += x * x;
-        ++n;
-    }
-    double mean() const { return sum / n; }
-    double varianceOfMean() const { return std::max(0., sum2 / n - mean() * mean()) / (n - 1); }
-};
-
 /// E of a surface at p with normal n under radiance 1, nothing in between.
-Estimate irradiance(const Light& light, const V3d& p, const V3f& n, std::uint64_t seed) {
+test::Estimate irradiance(const Light& light, const V3d& p, const V3f& n, std::uint64_t seed) {
     RandomStream random(51, seed);
-    Estimate estimate;
+    test::Estimate estimate;
     for (int i = 0; i < 100000; ++i) {
         const auto sample = light.sample(p, V2f(random.uniform(), random.uniform()), lambda);
         estimate.add(sample ? sample->l[0] * std::max(0.f, sample->wi.dot(n)) / sample->pdf : 0);
@@ -109,7 +98,7 @@ void check(const std::vector<Case>& cases) {
     const double threshold = test::sidakThreshold(0.01, int(cases.size()));
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const Case& c = cases[i];
-        const Estimate e = irradiance(*c.light, c.p, c.n, i);
+        const test::Estimate e = irradiance(*c.light, c.p, c.n, i);
         // Float rounding beside the noise: samplers by solid angle leave none to speak of.
         const double z = (e.mean() - c.expected) / std::sqrt(e.varianceOfMean() + sqr(1e-5 * c.expected) + 1e-30);
         EXPECT_GT(test::normalPValue(z), threshold) << c.name << " " << i << ": " << e.mean() << ", not " << c.expected;
