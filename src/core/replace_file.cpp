@@ -32,7 +32,16 @@ class OutputFile {
         if (!removedName_.empty()) ::unlink(removedName_.c_str());
     }
 
-    /// 0 or the errno of what went wrong.
+    /// Writes everything and closes. 0 or the errno of what went wrong.
+    int fill(std::initializer_list<std::span<const std::byte>> pieces) {
+        for (const auto& piece : pieces)
+            if (const int error = write(piece); error != 0) return error;
+        return close();
+    }
+    void keep() { removedName_.clear(); }
+    const std::string& name() const { return removedName_; }
+
+  private:
     int write(std::span<const std::byte> bytes) {
         while (!bytes.empty()) {
             const ssize_t n = ::write(descriptor_, bytes.data(), bytes.size());
@@ -49,10 +58,7 @@ class OutputFile {
         descriptor_ = -1;
         return error;
     }
-    void keep() { removedName_.clear(); }
-    const std::string& name() const { return removedName_; }
 
-  private:
     int descriptor_;
     std::string removedName_;
 };
@@ -69,7 +75,7 @@ OutputFile createBeside(const std::string& path, const fs::path& target) {
 
 } // namespace
 
-void replaceFile(const std::string& path, std::span<const std::byte> bytes) {
+void replaceFile(const std::string& path, std::initializer_list<std::span<const std::byte>> pieces) {
     std::error_code ignored;
     const fs::file_status status = fs::status(path, ignored);
     if (fs::is_directory(status)) fail(path, EISDIR);
@@ -77,16 +83,13 @@ void replaceFile(const std::string& path, std::span<const std::byte> bytes) {
 
     if (fs::exists(status) && !fs::is_regular_file(status)) {
         OutputFile file(::open(path.c_str(), O_WRONLY | O_CLOEXEC), {});
-        int error = file.write(bytes);
-        if (error == 0) error = file.close();
-        if (error != 0) fail(path, error);
+        if (const int error = file.fill(pieces); error != 0) fail(path, error);
         return;
     }
 
     const fs::path target = fs::exists(status) ? fs::canonical(path) : fs::path(path);
     OutputFile file = createBeside(path, target);
-    int error = file.write(bytes);
-    if (error == 0) error = file.close();
+    int error = file.fill(pieces);
     if (error == 0 && ::rename(file.name().c_str(), target.c_str()) != 0) error = errno;
     if (error != 0) fail(path, error);
     file.keep();

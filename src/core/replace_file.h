@@ -2,13 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <span>
 #include <string>
 
 namespace vitrine {
 
-/// Writes `bytes` beside `path` and renames, so that a full disk or a kill leaves the old file as it was. Symbolic
+/// Writes the pieces, one after the other, beside `path` and renames, so that a full disk or a kill leaves the old file as it was. Symbolic
 /// links are followed; what exists and is no regular file (a pipe, a device) is written to as it is. \throws FileError
-void replaceFile(const std::string& path, std::span<const std::byte> bytes);
+void replaceFile(const std::string& path, std::initializer_list<std::span<const std::byte>> pieces);
 
 } // namespace vitrine

@@ -188,7 +188,7 @@ void writeImage(const std::string& path, const Image& image, const ImageMetadata
                         fmt::format("the format takes one channel or three, not {} (EXR takes any)", image.channels));
     const Bytes bytes =
         format.encode({path, format.anyChannels ? image : inRec709(image, metadata.chromaticities), metadata});
-    replaceFile(path, std::as_bytes(std::span(bytes)));
+    replaceFile(path, {std::as_bytes(std::span(bytes))});
 }
 
 } // namespace vitrine

@@ -2,9 +2,9 @@
 
 #include "core/errors.h"
 #include "core/random.h"
+#include "core/replace_file.h"
 
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 
 #include <fmt/format.h>
@@ -33,11 +33,11 @@ class Checksum {
     std::uint64_t value_ = 0;
 };
 
+/// What stands before the sums.
 class Writer {
   public:
-    explicit Writer(std::ostream& out) : out_(out) {}
     void bytes(const void* data, std::size_t size) {
-        out_.write(static_cast<const char*>(data), std::streamsize(size));
+        header_.append(static_cast<const char*>(data), size);
         checksum_.add(data, size);
     }
     template <class T>
@@ -49,10 +49,16 @@ class Writer {
         value(std::uint64_t(s.size()));
         bytes(s.data(), s.size());
     }
-    std::uint64_t checksum() const { return checksum_.value(); }
+    const std::string& header() const { return header_; }
+    /// Of the header and of what follows it.
+    std::uint64_t checksumWith(std::span<const std::byte> following) const {
+        Checksum all = checksum_;
+        all.add(following.data(), following.size());
+        return all.value();
+    }
 
   private:
-    std::ostream& out_;
+    std::string header_;
     Checksum checksum_;
 };
 
@@ -164,32 +170,17 @@ std::string PassSet::toString() const {
 }
 
 void writePartial(const std::string& path, const PartialRender& state, const Film& film) {
-    const std::string temporary = path + ".tmp";
-    {
-        std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-        if (!out) throw FileError(path, "cannot be written");
-        Writer w(out);
-        w.bytes(magic, sizeof magic);
-        w.value(state.fingerprint);
-        w.text(state.sceneName);
-        w.value(state.seconds);
-        w.value(std::uint64_t(state.passes.ranges().size()));
-        for (const auto& r : state.passes.ranges()) w.value(r);
-        writeFilmSettings(w, film.settings());
-        w.bytes(film.sums().data(), film.sums().size_bytes());
-        const std::uint64_t checksum = w.checksum();
-        out.write(reinterpret_cast<const char*>(&checksum), sizeof checksum);
-        out.flush();
-        if (!out) {
-            out.close();
-            std::error_code ignored;
-            std::filesystem::remove(temporary, ignored);
-            throw FileError(path, "cannot be written (disk full?)");
-        }
-    }
-    std::error_code error;
-    std::filesystem::rename(temporary, path, error);
-    if (error) throw FileError(path, error.message());
+    Writer w;
+    w.bytes(magic, sizeof magic);
+    w.value(state.fingerprint);
+    w.text(state.sceneName);
+    w.value(state.seconds);
+    w.value(std::uint64_t(state.passes.ranges().size()));
+    for (const auto& r : state.passes.ranges()) w.value(r);
+    writeFilmSettings(w, film.settings());
+    const auto sums = std::as_bytes(film.sums());
+    const std::uint64_t checksum = w.checksumWith(sums);
+    replaceFile(path, {std::as_bytes(std::span(w.header())), sums, std::as_bytes(std::span(&checksum, 1))});
 }
 
 LoadedPartial readPartial(const std::string& path) {

@@ -18,7 +18,7 @@ namespace {
 using testing::HasSubstr;
 
 void replace(const std::string& path, const std::string& text) {
-    replaceFile(path, std::as_bytes(std::span(text)));
+    replaceFile(path, {std::as_bytes(std::span(text))});
 }
 
 std::string contents(const std::string& path) {
