@@ -25,8 +25,13 @@ bool countBytes(void*, ssize_t change, bool) {
 
 /// Never released: Embree's threads and the process end together.
 struct Device {
-    // No .embree3 file in the working directory may change the picture.
-    RTCDevice handle = rtcNewDevice("ignore_config_files=1");
+    // No .embree3 file in the working directory may change the picture, nor may the processor: Embree would take AVX-512
+    // where it finds it, which is no quicker here.
+#ifdef __AVX2__
+    RTCDevice handle = rtcNewDevice("ignore_config_files=1,isa=avx2");
+#else
+    RTCDevice handle = rtcNewDevice("ignore_config_files=1,isa=sse2");
+#endif
     Device() {
         if (!handle) throw std::runtime_error("Embree cannot start on this machine");
         rtcSetDeviceErrorFunction(handle, keepMessage, nullptr);

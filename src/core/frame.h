@@ -29,7 +29,7 @@ struct Frame {
             *this = Frame(normal);
             return;
         }
-        s = projected / std::sqrt(length2);
+        s = projected * (1 / std::sqrt(length2));
         // The projection of a nearly parallel tangent is mostly rounding error: take out what is left along n.
         if (length2 < 1e-2f * tangent.length2()) s = (s - n * n.dot(s)).normalized();
         t = n.cross(s);

@@ -77,6 +77,9 @@ QuadMesh::QuadFacet QuadMesh::facet(unsigned prim) const {
         result.dpdu = point.dpdu;
         result.dpdv = point.dpdv;
         const V3d eu = p[1] - p[0], ev = p[3] - p[0], normal = eu.cross(ev);
+        result.p0 = p[0];
+        result.eu = eu;
+        result.ev = ev;
         // Scaled as intersectTriangle does, so that ties between coplanar faces are ties.
         result.normal = normal / maxAbs(normal);
         result.toU = ev.cross(normal) / normal.length2();
@@ -102,7 +105,7 @@ bool QuadMesh::intersect(unsigned prim, const Ray& ray, double sMin, double sMax
 bool QuadMesh::solve(unsigned prim, const Ray& ray, PrimitiveHit& hit) const {
     if (facets_.empty() || !facets_[prim].parallelogram) return MeshShape::solve(prim, ray, hit);
     const QuadFacet& facet = facets_[prim];
-    const V3d toCorner = corner(face(prim)[0]) - ray.o;
+    const V3d toCorner = facet.p0 - ray.o;
     hit.s = facet.normal.dot(toCorner) / facet.normal.dot(ray.d);
     const V3d q = ray.d * hit.s - toCorner;
     hit.u = std::clamp(q.dot(facet.toU), 0., 1.);
@@ -136,10 +139,8 @@ bool QuadMesh::isPlainParallelogram(unsigned prim) const {
 
 SurfacePoint QuadMesh::plainPointAt(const PrimitiveHit& hit) const {
     const QuadFacet& facet = facets_[hit.prim];
-    const std::uint32_t* v = face(hit.prim);
-    const V3d p0 = corner(v[0]);
     SurfacePoint point;
-    point.p = p0 + (corner(v[1]) - p0) * hit.u + (corner(v[3]) - p0) * hit.v;
+    point.p = facet.p0 + facet.eu * hit.u + facet.ev * hit.v;
     point.error = originError(point.p) + facet.error;
     point.ng = mesh().flips ? -facet.ng : facet.ng;
     point.ns = point.ng;
@@ -220,12 +221,10 @@ std::optional<ShapeSample> QuadMesh::sample(const V3d& from, const V2f& u) const
     const std::optional<SphericalRectangle> seen = seenRectangle(from);
     const V2d at = seen ? seen->sample(u) : V2d(u.x, u.y);
     const QuadFacet& facet = facets_[0];
-    const std::uint32_t* v = face(0);
-    const V3d p0 = corner(v[0]);
     // Built in place: this is called for every shadow ray.
     std::optional<ShapeSample> result(std::in_place);
     SurfacePoint& point = result->point;
-    point.p = p0 + (corner(v[1]) - p0) * at.x + (corner(v[3]) - p0) * at.y;
+    point.p = facet.p0 + facet.eu * at.x + facet.ev * at.y;
     point.error = originError(point.p) + facet.error;
     point.ng = mesh().flips ? -facet.ng : facet.ng;
     point.ns = point.ng;

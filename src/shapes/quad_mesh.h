@@ -38,8 +38,8 @@ class QuadMesh final : public MeshShape {
     /// A facet and whether the quad is a parallelogram, on which Embree's (u,v) are the patch's.
     struct QuadFacet : Facet {
         bool parallelogram = false;
-        // Of a parallelogram: its normal, of any length, and what u and v are the products of q - p0 with.
-        V3d normal{0, 0, 0}, toU{0, 0, 0}, toV{0, 0, 0};
+        // Of a parallelogram: p0 and its edges, its normal, of any length, and what u and v are the products of q - p0 with.
+        V3d p0{0, 0, 0}, eu{0, 0, 0}, ev{0, 0, 0}, normal{0, 0, 0}, toU{0, 0, 0}, toV{0, 0, 0};
     };
     /// The common case: a ready facet without texture coordinates or shading normals of its own.
     bool isPlainParallelogram(unsigned prim) const;
