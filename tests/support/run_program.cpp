@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
+#include <fstream>
 #include <stdexcept>
 #include <sys/wait.h>
 #include <thread>
@@ -66,6 +67,13 @@ RunningProgram::~RunningProgram() {
 
 void RunningProgram::send(int signal) const {
     if (!reaped_) ::kill(pid_, signal);
+}
+
+bool RunningProgram::catches(int signal) const {
+    std::ifstream status("/proc/" + std::to_string(pid_) + "/status");
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with("SigCgt:")) return std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1;
+    return false;
 }
 
 std::string RunningProgram::errorsSoFar() const {

@@ -35,6 +35,8 @@ class RunningProgram {
     RunningProgram& operator=(const RunningProgram&) = delete;
 
     void send(int signal) const;
+    /// Whether it has a handler for the signal by now.
+    bool catches(int signal) const;
     /// What it has written so far.
     std::string errorsSoFar() const;
     /// Whether it has ended; does not wait.
