@@ -62,6 +62,18 @@ struct Settings {
     }
 };
 
+/// Of pbrt-v4's options those that change the picture or write more files. The others steer how pbrt-v4 itself works.
+void refuseOptions(const SceneNodes& nodes, Diagnostics& diagnostics) {
+    for (const char* name : {"disablepixeljitter", "disablewavelengthjitter", "forcediffuse", "msereferenceimage",
+                             "msereferenceout", "pixelstats"}) {
+        const auto option = nodes.options.find(name);
+        if (option == nodes.options.end()) continue;
+        const bool* isOn = std::get_if<bool>(&option->second.value);
+        if (!isOn || *isOn)
+            diagnostics.error(option->second.place, fmt::format("option \"{}\" is not yet supported", name));
+    }
+}
+
 void count(const SceneNodes& nodes, Scene& scene) {
     const auto countShapes = [&](const std::vector<ShapeNode>& shapes) {
         for (const auto& shape : shapes) {
@@ -102,6 +114,7 @@ Scene buildScene(SceneNodes nodes, const Overrides& overrides) {
 
     Diagnostics diagnostics;
     for (const auto& warning : nodes.warnings) diagnostics.warning(warning.place, warning.message, warning.hint);
+    refuseOptions(nodes, diagnostics);
     BuildContext context(nodes, diagnostics);
     const FilmPlan film = buildFilm(context, overrides);
     const SamplerPlan sampler = buildSampler(context, overrides);
