@@ -55,7 +55,7 @@ void registerMerge(CLI::App& app) {
     auto* command = app.add_subcommand("merge", "Add up partial renders of pass ranges into one picture");
     auto a = std::make_shared<MergeArguments>();
     command->add_option("part", a->parts, "Files that \"vitrine render --partial\" wrote")->required();
-    command->add_option("-o,--outfile", a->outputs, "Picture to write")->take_all()->expected(1);
+    command->add_option("-o,--outfile", a->outputs, "Picture to write")->take_all()->allow_extra_args(false);
     command->add_option("--partial", a->partial, "Write the merged sums");
     command->callback([a] { merge(*a); });
 }

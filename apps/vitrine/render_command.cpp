@@ -6,6 +6,7 @@
 #include "render/session.h"
 #include "scene/scene.h"
 
+#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -54,9 +55,11 @@ std::vector<T> numbers(const std::string& text, char separator, std::size_t coun
 }
 
 std::uint64_t wholeNumber(const std::string& text, const std::string& flag) {
-    if (text.empty() || text.find_first_not_of("0123456789") != std::string::npos || text.size() > 19)
+    std::uint64_t number = 0;
+    const char* const end = text.data() + text.size();
+    if (const auto read = std::from_chars(text.data(), end, number); read.ec != std::errc() || read.ptr != end)
         throw std::invalid_argument(fmt::format("{} takes a whole number, not \"{}\"", flag, text));
-    return std::stoull(text);
+    return number;
 }
 
 /// The passes that the flags ask for, if they do.
@@ -265,7 +268,7 @@ void registerRender(CLI::App& app, int& exitCode) {
     command->add_option("scene", a->scene, "Scene file, pbrt-v4's format")->required();
     command->add_option("-o,--outfile", a->outputs, "Picture to write (.exr .png .ppm .hdr .jpg), several times for several")
         ->take_all()
-        ->expected(1);
+        ->allow_extra_args(false);
     command->add_option("--integrator", a->overrides.integrator, "Integrator in place of the scene's");
     command->add_option("--spp", a->spp, "Samples a pixel (the same as --passes)");
     command->add_option("--passes", a->passes, "Passes: N, or A:B for those from A up to B");
@@ -279,7 +282,7 @@ void registerRender(CLI::App& app, int& exitCode) {
     command->add_flag("--quick", a->overrides.quick, "A quarter of the resolution, one sample a pixel");
     command->add_option("--set", a->overrides.settings, "key=value: any integrator, film or sampler parameter")
         ->take_all()
-        ->expected(1);
+        ->allow_extra_args(false);
     command->add_option("--checkpoint", a->checkpoint, "File to save the state in, now and then and at the end");
     command->add_option("--checkpoint-every", a->checkpointEvery, "Seconds between checkpoints");
     command->add_flag("--resume", a->resume, "Go on from the checkpoint, if there is one");

@@ -55,10 +55,14 @@ struct Settings {
         for (const Node* node : {&nodes.integrator, &nodes.film, &nodes.sampler})
             for (const auto& name : node->parameters.askedNames()) known.push_back(name);
         for (const auto& p : parameters)
-            if (std::find(known.begin(), known.end(), p->name) == known.end())
-                diagnostics.error(p->place,
+            if (std::find(known.begin(), known.end(), p->name) == known.end()) {
+                Place name = p->place; // of the value, after the name and '='
+                name.column = int(name.file->text.rfind(p->name, std::size_t(name.column - 1))) + 1;
+                name.length = int(p->name.size());
+                diagnostics.error(name,
                                   fmt::format("no integrator, film or sampler parameter is called \"{}\"", p->name),
                                   didYouMean(p->name, known));
+            }
     }
 };
 
