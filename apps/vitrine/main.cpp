@@ -6,6 +6,7 @@
 
 #include "core/errors.h"
 
+#include <csignal>
 #include <new>
 
 #include <fmt/format.h>
@@ -73,6 +74,8 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+    // Writing past a limit on file sizes shall fail with a message, not kill.
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         return run(argc, argv);
     } catch (const vitrine::SceneError& e) {

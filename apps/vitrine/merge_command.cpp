@@ -41,10 +41,7 @@ void merge(const MergeArguments& a) {
     if (a.outputs.empty() && a.partial.empty()) throw std::invalid_argument("merge: give --outfile or --partial");
     const LoadedPartial sum = mergeParts(a.parts);
     if (!a.partial.empty()) writePartial(a.partial, sum.state, sum.film);
-    const FilmSettings& film = sum.film.settings();
-    ImageMetadata metadata;
-    metadata.fullResolution = film.resolution;
-    metadata.offset = film.cropMin;
+    ImageMetadata metadata = metadataOf(sum.film.settings());
     metadata.numbers["samplesPerPixel"] = double(sum.state.passes.size());
     for (const auto& output : a.outputs) writeImage(output, sum.film.image(), metadata);
 }

@@ -126,4 +126,18 @@ std::optional<V2i> Film::firstBadPixel() const {
     return V2i(settings_.cropMin.x + i % width, settings_.cropMin.y + i / width);
 }
 
+ImageMetadata metadataOf(const FilmSettings& settings) {
+    ImageMetadata metadata;
+    metadata.fullResolution = settings.resolution;
+    metadata.offset = settings.cropMin;
+    // Linear sRGB has Rec.709's primaries, which is what files without chromaticities mean.
+    if (!settings.colorSpace || settings.colorSpace == &RgbColorSpace::srgb()) return metadata;
+    const auto& xy = settings.colorSpace->chromaticities();
+    for (std::size_t i = 0; i < xy.size(); ++i) {
+        metadata.chromaticities[2 * i] = xy[i].x;
+        metadata.chromaticities[2 * i + 1] = xy[i].y;
+    }
+    return metadata;
+}
+
 } // namespace vitrine

@@ -4,6 +4,7 @@
 #include "core/image.h"
 #include "film/filter.h"
 #include "film/fixed_sum.h"
+#include "film/imageio.h"
 #include "spectrum/colorspace.h"
 
 #include <optional>
@@ -86,5 +87,8 @@ class Film {
     std::vector<FixedSum> sums_;     ///< [pixel][half][r g b weight]
     std::vector<std::uint32_t> bad_; ///< per pixel, as no thread shares a pixel with another
 };
+
+/// What pictures of such a film carry beside their pixels: the crop's place and the colour space.
+ImageMetadata metadataOf(const FilmSettings& settings);
 
 } // namespace vitrine

@@ -26,41 +26,52 @@ ScreenWindow screenWindow(const CameraInput& input) {
     return window;
 }
 
-std::unique_ptr<Camera> perspective(const CameraInput& input) {
+/// Screen space's [-1, 1] to [0, 1] after `screenFromCamera` (pbrt-v4's NDCFromWorld, ProjectiveCamera::InitMetadata).
+M44d toNdc(M44d screenFromCamera) {
+    return screenFromCamera * M44d().setScale(0.5) * M44d().setTranslation(V3d(0.5, 0.5, 0.5));
+}
+
+CameraPlan perspective(const CameraInput& input) {
     const ParameterSet& p = input.parameters;
     PerspectiveCamera::Settings s;
     s.window = screenWindow(input);
     s.fov = p.getFloat("fov", 90);
     s.lensRadius = p.getFloat("lensradius", 0);
     s.focalDistance = p.getFloat("focaldistance", 1e6);
-    return std::make_unique<PerspectiveCamera>(input.worldFromCamera, input.resolution, s);
+    // pbrt's clipping planes: they shape z alone.
+    constexpr double near = 1e-2, far = 1000;
+    const double scale = 1 / std::tan(radians(s.fov) / 2);
+    const M44d screenFromCamera(scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, far / (far - near), 1, 0, 0,
+                                -far * near / (far - near), 0);
+    return {std::make_unique<PerspectiveCamera>(input.worldFromCamera, input.resolution, s), toNdc(screenFromCamera)};
 }
 
-std::unique_ptr<Camera> orthographic(const CameraInput& input) {
+CameraPlan orthographic(const CameraInput& input) {
     const ParameterSet& p = input.parameters;
     OrthographicCamera::Settings s;
     s.window = screenWindow(input);
     s.lensRadius = p.getFloat("lensradius", 0);
     s.focalDistance = p.getFloat("focaldistance", 1e6);
-    return std::make_unique<OrthographicCamera>(input.worldFromCamera, input.resolution, s);
+    return {std::make_unique<OrthographicCamera>(input.worldFromCamera, input.resolution, s), toNdc(M44d())};
 }
 
-std::unique_ptr<Camera> spherical(const CameraInput& input) {
+CameraPlan spherical(const CameraInput& input) {
     const ParameterSet& p = input.parameters;
     const std::string mapping = p.getChoice("mapping", "equalarea", {"equalarea", "equirectangular"});
     acceptWithoutEffect(p, {"lensradius", "focaldistance", "frameaspectratio", "screenwindow"}); // as pbrt-v4
-    return std::make_unique<SphericalCamera>(input.worldFromCamera, input.resolution,
-                                             mapping == "equalarea" ? SphericalCamera::Mapping::EqualArea
-                                                                    : SphericalCamera::Mapping::Equirectangular);
+    return {std::make_unique<SphericalCamera>(input.worldFromCamera, input.resolution,
+                                              mapping == "equalarea" ? SphericalCamera::Mapping::EqualArea
+                                                                     : SphericalCamera::Mapping::Equirectangular),
+            {}};
 }
 
-using CameraBuilder = std::unique_ptr<Camera> (*)(const CameraInput&);
+using CameraBuilder = CameraPlan (*)(const CameraInput&);
 constexpr RegistryEntry<CameraBuilder> cameraTypes[] = {
     {"perspective", perspective}, {"orthographic", orthographic}, {"spherical", spherical}, {"realistic"}};
 
 } // namespace
 
-std::unique_ptr<Camera> buildCamera(BuildContext& context, const FilmSettings& film) {
+CameraPlan buildCamera(BuildContext& context, const FilmSettings& film) {
     const CameraNode& node = context.nodes().camera;
     return context.guarded(node, [&] {
         const auto build = findBuilder<CameraBuilder>(cameraTypes, node, "camera");

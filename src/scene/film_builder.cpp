@@ -168,8 +168,7 @@ SamplerPlan buildSampler(BuildContext& context, const Overrides& overrides) {
             plan.settings.jitter = p.getBool("jitter", true);
             plan.settings.xSamples = p.getInteger("xsamples", 4);
             plan.settings.ySamples = p.getInteger("ysamples", 4);
-            if (plan.settings.xSamples < 1 || plan.settings.ySamples < 1)
-                throw SceneError(node.place, "\"xsamples\" and \"ysamples\" must be at least 1");
+            checkSamplerSettings(plan.settings);
             samples = std::int64_t(plan.settings.xSamples) * plan.settings.ySamples;
         } else {
             samples = p.getInteger("pixelsamples", 16);

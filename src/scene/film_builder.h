@@ -7,6 +7,8 @@
 #include "scene/context.h"
 #include "scene/overrides.h"
 
+#include <optional>
+
 namespace vitrine {
 
 struct FilmPlan {
@@ -21,6 +23,11 @@ struct SamplerPlan {
 };
 SamplerPlan buildSampler(BuildContext& context, const Overrides& overrides);
 
-std::unique_ptr<Camera> buildCamera(BuildContext& context, const FilmSettings& film);
+struct CameraPlan {
+    std::unique_ptr<Camera> camera;
+    /// What pbrt-v4 writes beside pictures: camera space to [0,1]^3, row vectors; none for a spherical camera.
+    std::optional<M44d> ndcFromCamera;
+};
+CameraPlan buildCamera(BuildContext& context, const FilmSettings& film);
 
 } // namespace vitrine

@@ -95,12 +95,11 @@ void count(const SceneNodes& nodes, Scene& scene) {
     scene.samplerType = nodes.sampler.type;
 }
 
-void describe(const SceneNodes& nodes, Scene& scene) {
-    const FilmSettings& film = scene.film;
-    scene.metadata.fullResolution = film.resolution;
-    scene.metadata.offset = film.cropMin;
-    // pbrt-v4's attributes hold camera-from-world, column vectors; Imath's row vectors are that matrix transposed twice.
-    scene.metadata.matrices["worldToCamera"] = nodes.camera.worldFromCamera->start.inverse().matrix();
+void describe(const SceneNodes& nodes, const std::optional<M44d>& ndcFromCamera, Scene& scene) {
+    scene.metadata = metadataOf(scene.film);
+    const M44d worldToCamera = nodes.camera.worldFromCamera->start.inverse().matrix();
+    scene.metadata.matrices["worldToCamera"] = worldToCamera;
+    if (ndcFromCamera) scene.metadata.matrices["worldToNDC"] = worldToCamera * *ndcFromCamera;
 }
 
 std::string defaultOutput(const std::string& sceneName) {
@@ -127,19 +126,19 @@ Scene buildScene(SceneNodes nodes, const Overrides& overrides) {
     scene.integrator = buildIntegrator(context, overrides, sampler.settings);
     scene.integratorType = overrides.integrator.empty() ? nodes.integrator.type : overrides.integrator;
     // Without a film there is no aspect for the camera: its error is the one to show.
-    std::unique_ptr<Camera> camera;
+    CameraPlan camera;
     if (scene.film.resolution.x > 0 && scene.film.resolution.y > 0) camera = buildCamera(context, scene.film);
     scene.world = buildWorld(context);
     settings.checkRead(nodes, diagnostics);
     diagnostics.throwIfErrors();
 
-    scene.world.camera = std::move(camera);
+    scene.world.camera = std::move(camera.camera);
     scene.world.prepare();
     scene.outputFile = film.fileName.empty() ? defaultOutput(nodes.name) : film.fileName;
     for (const auto& d : diagnostics.all()) scene.warnings.push_back(d);
     count(nodes, scene);
     scene.primitives = context.primitives();
-    describe(nodes, scene);
+    describe(nodes, camera.ndcFromCamera, scene);
 
     Fingerprint fingerprint;
     for (const auto& source : nodes.sources) {

@@ -24,6 +24,12 @@ class Placement {
     /// \throws std::invalid_argument when the map is not finite or not invertible
     Placement(const Transform& worldFromObject, bool reverseOrientation, double reach);
 
+    /// For the shapes that pbrt has not: their normals point out of the solid however it is placed, mirrored or not, and
+    /// only `reverseOrientation` turns them round. \throws as the constructor
+    static Placement solid(const Transform& worldFromObject, bool reverseOrientation, double reach) {
+        return Placement(worldFromObject, reverseOrientation != worldFromObject.swapsHandedness(), reach);
+    }
+
     const Transform& worldFromObject() const { return worldFromObject_; }
     const Transform& objectFromWorld() const { return objectFromWorld_; }
     Ray toObject(const Ray& ray) const { return objectFromWorld_.ray(ray); }

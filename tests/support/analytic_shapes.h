@@ -31,6 +31,8 @@ struct LineCrossings {
 
 struct AnalyticShape {
     std::string name;
+    /// Whether a mirroring placement turns the normals round: so it is with pbrt's shapes, not with ours.
+    bool mirrorsInsideOut = true;
     std::function<ShapePtr(const Transform&, bool reverse)> make;
     std::function<LineCrossings(const Vec& o, const Vec& d)> cross;
     /// The point of parameters (u, v) in object space; not for the box.
@@ -184,6 +186,7 @@ inline constexpr double boxLow[] = {-0.5, -0.7, -0.3}, boxHigh[] = {0.6, 0.4, 0.
 inline AnalyticShape box() {
     AnalyticShape shape;
     shape.name = "box";
+    shape.mirrorsInsideOut = false;
     shape.make = [](const Transform& t, bool r) {
         return std::make_shared<Box>(t, r, V3d(boxLow[0], boxLow[1], boxLow[2]),
                                      V3d(boxHigh[0], boxHigh[1], boxHigh[2]));

@@ -163,11 +163,11 @@ TEST(Revolution, OpenProfilesHaveTheNormalOfTheirDirection) {
     EXPECT_LT(normalAt(make({{1, 0}, {1, 2}}, 1, 360, true)).x, -0.99f);
     EXPECT_LT(normalAt(make(can, 1, 360, true)).x, -0.99f);
     EXPECT_FALSE(make(can, 1, 360, true).isClosed()) << "its normals point into the solid";
-    // Mirrored and reversed cancel, as in pbrt.
+    // A solid that is mirrored stays a solid.
     M44d mirror;
     mirror[2][2] = -1;
-    EXPECT_LT(normalAt(make({{1, 0}, {1, 2}}, 1, 360, false, mirror)).x, -0.99f);
-    EXPECT_GT(normalAt(make({{1, 0}, {1, 2}}, 1, 360, true, mirror)).x, 0.99f);
+    EXPECT_GT(normalAt(make({{1, 0}, {1, 2}}, 1, 360, false, mirror)).x, 0.99f);
+    EXPECT_LT(normalAt(make({{1, 0}, {1, 2}}, 1, 360, true, mirror)).x, -0.99f);
 }
 
 TEST(Revolution, PolesAndCuspsHaveANormal) {
