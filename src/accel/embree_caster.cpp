@@ -221,8 +221,13 @@ bool EmbreeCaster::takeMeshHit(Query& query, const RTCRayHit& found) const {
         hit.prim = ref.prim;
         hit.u = ref.farHalf ? 1 - u : u;
         hit.v = ref.farHalf ? 1 - v : v;
-        const V3d p = ref.shape->pointAt(ray, hit).p;
-        hit.s = (p - ray.o).dot(ray.d) / ray.d.length2();
+        const SurfacePoint point = ref.shape->pointAt(ray, hit);
+        const V3d way = point.p - ray.o, n = toDouble(point.ng);
+        const double slope = n.dot(ray.d);
+        // In front only if the plane is, by more than the rounding of n: the point is as far from the ray as Embree's (u,v)
+        // are wrong, which at a crossing in the origin is all the way there is.
+        if (!(n.dot(way) * slope > 0x1p-22 * way.length() * std::abs(slope))) return false;
+        hit.s = way.dot(ray.d) / ray.d.length2();
         if (!(hit.s > 0)) return false;
     }
     keepIfFirst(ref, instance, hit, query);
