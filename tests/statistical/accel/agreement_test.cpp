@@ -3,9 +3,11 @@
 #include "shapes/cylinder.h"
 #include "shapes/disk.h"
 #include "shapes/plane.h"
+#include "shapes/revolution/revolution.h"
 #include "shapes/sphere.h"
 #include "support/caster_agreement.h"
 #include "support/meshes.h"
+#include "support/revolution_cases.h"
 
 namespace vitrine::test {
 
@@ -66,6 +68,16 @@ TEST(Agreement, Boxes) {
     const CasterInput input =
         several([](const Transform& t) { return std::make_shared<Box>(t, false, V3d(-1, -0.5, 0), V3d(1, 0.5, 2)); });
     expectCastersAgree(input, boundsOf(input), 4, million, exact);
+}
+
+TEST(Agreement, Revolutions) {
+    const auto turned = [](const ProfilePoints& profile, const Transform& t, double phiMax = 360) {
+        const auto points = joined(profile);
+        return std::make_shared<Revolution>(t, false, Profile(points, int(profile.front().size()) - 1), phiMax);
+    };
+    const CasterInput input = of({turned(gobletProfile(), Transform()), turned(vaseProfile(), placed(V3d(0.8, 0, 0.3), V3d(1), 0.2)),
+                                  turned(vaseProfile(), placed(V3d(-0.5, 0.4, 0), V3d(1.5), 1), 200)});
+    expectCastersAgree(input, boundsOf(input), 11, million, exact);
 }
 
 TEST(Agreement, Planes) {
