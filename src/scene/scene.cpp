@@ -108,6 +108,23 @@ std::string defaultOutput(const std::string& sceneName) {
     return (name.empty() || name == "-" ? "vitrine" : name.string()) + ".exr";
 }
 
+/// By file and place, as a reader goes through them; builders find them family by family.
+std::vector<Diagnostic> inOrder(std::vector<Diagnostic> all,
+                                const std::vector<std::shared_ptr<const SourceFile>>& sources) {
+    const auto rank = [&](const Diagnostic& d) {
+        const auto file = std::find(sources.begin(), sources.end(), d.place.file);
+        return std::tuple(file - sources.begin(), d.place.line, d.place.column);
+    };
+    std::stable_sort(all.begin(), all.end(),
+                     [&](const Diagnostic& a, const Diagnostic& b) { return rank(a) < rank(b); });
+    // An area light is built for each of its shapes, with the same errors.
+    const auto same = [&](const Diagnostic& a, const Diagnostic& b) {
+        return rank(a) == rank(b) && a.message == b.message;
+    };
+    all.erase(std::unique(all.begin(), all.end(), same), all.end());
+    return all;
+}
+
 Scene buildScene(SceneNodes nodes, const Overrides& overrides) {
     Scene scene;
     scene.name = nodes.name;
@@ -130,7 +147,7 @@ Scene buildScene(SceneNodes nodes, const Overrides& overrides) {
     if (scene.film.resolution.x > 0 && scene.film.resolution.y > 0) camera = buildCamera(context, scene.film);
     scene.world = buildWorld(context);
     settings.checkRead(nodes, diagnostics);
-    diagnostics.throwIfErrors();
+    if (diagnostics.hasErrors()) throw SceneError(inOrder(diagnostics.all(), nodes.sources));
 
     scene.world.camera = std::move(camera.camera);
     scene.world.prepare();

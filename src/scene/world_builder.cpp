@@ -20,6 +20,7 @@ class WorldBuilder {
     World build() {
         refuseMedia();
         buildMaterials();
+        checkUnusedAreaLights();
         for (const auto& node : context_.nodes().shapes) addShape(node, input_.shapes, true);
         for (const auto& object : context_.nodes().objects) {
             auto& group = input_.groups.emplace_back();
@@ -48,6 +49,19 @@ class WorldBuilder {
 
     void buildMaterials() {
         for (const auto& node : context_.nodes().materials) materials_.push_back(buildMaterial(context_, node));
+    }
+
+    /// Those are never built, but what stands in them shall be right.
+    void checkUnusedAreaLights() {
+        std::vector<bool> used(context_.nodes().areaLights.size());
+        const auto use = [&](const std::vector<ShapeNode>& shapes) {
+            for (const auto& shape : shapes)
+                if (shape.areaLight >= 0) used[std::size_t(shape.areaLight)] = true;
+        };
+        use(context_.nodes().shapes);
+        for (const auto& object : context_.nodes().objects) use(object.shapes);
+        for (std::size_t i = 0; i < used.size(); ++i)
+            if (!used[i]) buildAreaLights(context_, context_.nodes().areaLights[i], {});
     }
 
     void addShape(const ShapeNode& node, std::vector<CasterShape>& to, bool mayShine) {
