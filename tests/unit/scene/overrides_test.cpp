@@ -1,0 +1,63 @@
+// --integrator, --set and the fingerprint that keeps partial renders of different pictures apart.
+#include "scene_text.h"
+
+namespace vitrine {
+namespace {
+
+const std::string text = "Film \"rgb\" \"integer xresolution\" 8 \"integer yresolution\" 8\n"
+                         "Integrator \"path\" \"integer maxdepth\" 3\nWorldBegin\nShape \"sphere\"\n";
+
+Overrides set(std::vector<std::string> settings) {
+    Overrides overrides;
+    overrides.settings = std::move(settings);
+    return overrides;
+}
+
+TEST(Overrides, SetReachesFilmSamplerAndIntegrator) {
+    EXPECT_EQ(built(text, set({"xresolution=5", "pixelsamples=9"})).film.resolution, V2i(5, 8));
+    EXPECT_EQ(built(text, set({"pixelsamples=9"})).samplesPerPixel, 9u);
+    EXPECT_EQ(built(text, set({"integer xresolution=5"})).film.resolution, V2i(5, 8));
+    EXPECT_EQ(built(text, set({"pixelbounds=1,3,2,4"})).film.cropMin, V2i(1, 2));
+    EXPECT_EQ(built(text, set({"xresolution=5", "xresolution=6"})).film.resolution, V2i(6, 8)) << "the last one counts";
+}
+
+TEST(Overrides, SetRefusesUnknownNamesAndValues) {
+    EXPECT_EQ(errorsOf(text, set({"xresolutio=5"})),
+              Lines{"--set:1:1: error: no integrator, film or sampler parameter is called \"xresolutio\""});
+    EXPECT_EQ(errorsOf(text, set({"float xresolution=5"})).size(), 1u);
+    EXPECT_EQ(errorsOf(text, set({"xresolution=0"})).size(), 1u);
+    EXPECT_EQ(errorsOf(text, set({"maxdepth=1,2"})).size(), 1u);
+    for (const char* bad : {"", "=", "a=", "=3", "maxdepth", "a b c=3"})
+        EXPECT_EQ(errorsOf(text, set({bad})).size(), 1u) << bad;
+}
+
+TEST(Overrides, IntegratorKeepsWhatItKnowsAndNamesTheRest) {
+    Overrides overrides;
+    overrides.integrator = "path";
+    const Scene scene = built("Integrator \"sppm\" \"integer maxdepth\" 3 \"float radius\" 1\nWorldBegin\n", overrides);
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_EQ(scene.warnings[0].message, "integrator \"path\" has no parameter \"radius\": dropped");
+    EXPECT_EQ(scene.integratorType, "path");
+    EXPECT_EQ(errorsOf("Integrator \"sppm\" \"integer maxdepth\" \"deep\"\nWorldBegin\n", overrides).size(), 1u);
+}
+
+TEST(Fingerprint, DependsOnWhatChangesThePicture) {
+    const std::uint64_t same = built(text).fingerprint;
+    EXPECT_EQ(built(text).fingerprint, same);
+    Overrides more;
+    more.samplesPerPixel = 1000;
+    EXPECT_EQ(built(text, more).fingerprint, same) << "a checkpoint may go on to more samples";
+
+    std::vector<Overrides> others(5);
+    others[0].seed = 1;
+    others[1].resolution = V2i(9, 8);
+    others[2].integrator = "volpath";
+    others[3].settings = {"maxdepth=4"};
+    others[4].pixelBounds = {1, 8, 0, 8};
+    for (const auto& other : others)
+        EXPECT_NE(built(text, other).fingerprint, same);
+    EXPECT_NE(built(text + "Shape \"disk\"\n").fingerprint, same);
+}
+
+} // namespace
+} // namespace vitrine
