@@ -68,15 +68,21 @@ def measure(entries, rounds, first_seed=0):
 
 
 def best_settings(contender, base, rounds):
-    """First the best roulette depth with the program's usual sampler, then the best sampler, then the depth again. The
-    robust efficiency decides: a few seeds do not tell the plain ones apart."""
+    """First the best roulette depth with the program's usual sampler, then the best sampler, then the depth again.
+
+    Processor time and the robust variance decide: a few pictures do not tell the others apart, least of all on a
+    machine that does other things beside.
+    """
     tried = {}
+
+    def cost(figures):
+        return figures["cpuSeconds"] * figures["robustVariance"]
 
     def best(candidates):
         new = [s for s in candidates if (s["sampler"], s["rr_depth"]) not in tried]
         for settings, figures in zip(new, measure([(contender, s) for s in new], rounds, SEARCH_SEED) if new else []):
             tried[settings["sampler"], settings["rr_depth"]] = figures
-        return max(candidates, key=lambda s: tried[s["sampler"], s["rr_depth"]]["robustEfficiency"])
+        return min(candidates, key=lambda s: cost(tried[s["sampler"], s["rr_depth"]]))
 
     chosen = best([dict(base, rr_depth=depth) for depth in ROULETTE_DEPTHS])
     chosen = best([dict(chosen, sampler=sampler) for sampler in contender.samplers])
