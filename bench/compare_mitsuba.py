@@ -120,8 +120,14 @@ def show_ratios(by_program):
 
 def check_agreement(results, tolerance=0.02, block=16):
     """Both programs must have rendered the same thing. The metal's and the walls' colours are RGB for one and spectra
-    for the other: hence the tolerance. Blocks tell that the pictures are mirrored and otherwise alike."""
-    ours = results[0]["picture"]
+    for the other: hence the tolerance, to which four standard errors come. Blocks tell that the pictures are mirrored
+    and otherwise alike."""
+    def standard_error(r):
+        """Of a channel's mean over all pictures taken, relative."""
+        values = r["picture"].size / 3 * len(r["allSeconds"])
+        return (r["variance"] / values) ** 0.5 / r["picture"].mean()
+
+    ours, ours_error = results[0]["picture"], standard_error(results[0])
     agreement = {}
     for r in results[1:]:
         theirs = r["picture"][:, ::-1]
@@ -135,7 +141,8 @@ def check_agreement(results, tolerance=0.02, block=16):
         agreement[r["program"]] = {"meanRatio": ratio.tolist(), "medianBlockDifference": difference}
         print(f"{r['program']} against vitrine: means {' '.join(f'{x:.4f}' for x in ratio)}, median difference of "
               f"{block} x {block} blocks {100 * difference:.1f} %")
-        if abs(ratio - 1).max() > tolerance or difference > 0.1:
+        error = (ours_error ** 2 + standard_error(r) ** 2) ** 0.5
+        if abs(ratio - 1).max() > tolerance + 4 * error or difference > 0.1:
             sys.exit("The pictures differ: this is no comparison.")
     return agreement
 
