@@ -146,6 +146,8 @@ bool EmbreeCaster::begin(const Ray& ray, Query& query, RTCRay& out) const {
     if (!(maxAbs(o) <= originReach * extent_.reach)) {
         if (!beginFarAway(ray, query)) return false;
         o += ray.d * query.start;
+        // From so far away that double rounds by more than everything's size, no ray can be aimed.
+        if (!(maxAbs(o) <= originReach * extent_.reach)) return false;
     }
     const double largest = maxAbs(d);
     if (!(largest > 0x1p-10 && largest < 0x1p10)) {

@@ -1,4 +1,5 @@
-// Rays that start exactly on a mesh: Embree reports the crossing at distance 0, which is none, again and again.
+// Rays that start exactly on a mesh, where Embree reports the crossing at distance 0, which is none, again and again; and
+// rays that start farther away than Embree can take.
 #include "accel/caster.h"
 #include "core/random.h"
 #include "core/sampling.h"
@@ -63,6 +64,20 @@ TEST(OriginOnMesh, TheSearchEnds) {
             }
         }
     _mm_setcsr(settings);
+}
+
+TEST(FarOrigin, AnyDistanceIsTaken) {
+    const auto caster = floors(Faces::Quads, 1);
+    for (const double distance : {1e3, 1e10, 1e17, 1e30, 3e38, 1e300}) {
+        // Along an axis nothing is rounded; aslant the ray may miss, but nothing else may happen.
+        CasterHit hit;
+        EXPECT_TRUE(caster->intersect(Ray{V3d(.25, .5, distance), V3d(0, 0, -1), infinityD}, hit)) << distance;
+        EXPECT_TRUE(caster->occluded(Ray{V3d(.25, .5, distance), V3d(0, 0, -1), infinityD})) << distance;
+        const V3d o = V3d(.3, -.2, .9) * distance;
+        caster->intersect(Ray{o, V3d(.25, .5, 1) - o, infinityD}, hit);
+        caster->intersect(Ray{o, V3d(-.3, .2, -.9), infinityD}, hit);
+        caster->occluded(Ray{o, V3d(-.3, .2, -.9000001), infinityD});
+    }
 }
 
 } // namespace
