@@ -1,5 +1,4 @@
 #include "commands.h"
-
 #include "core/errors.h"
 #include "scene/scene.h"
 
@@ -19,7 +18,8 @@ std::string counted(const std::map<std::string, int>& types) {
 
 std::string box(const Box3d& b) {
     if (b.isEmpty()) return "empty";
-    return fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})", b.min.x, b.min.y, b.min.z, b.max.x, b.max.y, b.max.z);
+    return fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})", b.min.x, b.min.y, b.min.z, b.max.x, b.max.y,
+                       b.max.z);
 }
 
 void printText(const Scene& s) {
@@ -69,7 +69,8 @@ void registerInfo(CLI::App& app) {
     command->add_flag("--json", *json, "As JSON");
     command->callback([file, json] {
         const Scene scene = loadScene(*file);
-        for (const auto& warning : scene.warnings) fmt::print(stderr, "{}\n", warning.toString());
+        for (const auto& warning : scene.warnings)
+            fmt::print(stderr, "{}\n", warning.toString());
         if (*json)
             printJson(scene);
         else

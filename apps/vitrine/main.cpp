@@ -3,13 +3,12 @@
 // Exit codes: 0 done; 1 the scene or an argument is wrong; 2 could not read or write; 3 stopped by a signal, what was
 // computed is saved; 4 out of memory or an internal fault.
 #include "commands.h"
-
 #include "core/errors.h"
+
+#include <fmt/format.h>
 
 #include <csignal>
 #include <new>
-
-#include <fmt/format.h>
 
 namespace {
 
@@ -25,9 +24,11 @@ std::string meant(const CLI::App& app, const CLI::App& command, const std::strin
     std::vector<std::string> names;
     if (argument.starts_with("-"))
         for (const CLI::Option* option : command.get_options())
-            for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+            for (const auto& name : option->get_lnames())
+                names.push_back("--" + name);
     else if (&app == &command)
-        for (const CLI::App* each : app.get_subcommands({})) names.push_back(each->get_name());
+        for (const CLI::App* each : app.get_subcommands({}))
+            names.push_back(each->get_name());
     return vitrine::didYouMean(argument.substr(0, argument.find('=')), names);
 }
 

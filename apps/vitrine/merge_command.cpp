@@ -1,9 +1,7 @@
 #include "commands.h"
-
+#include "core/errors.h"
 #include "film/imageio.h"
 #include "render/partial.h"
-
-#include "core/errors.h"
 
 #include <fmt/format.h>
 
@@ -43,7 +41,8 @@ void merge(const MergeArguments& a) {
     if (!a.partial.empty()) writePartial(a.partial, sum.state, sum.film);
     ImageMetadata metadata = metadataOf(sum.film.settings());
     metadata.numbers["samplesPerPixel"] = double(sum.state.passes.size());
-    for (const auto& output : a.outputs) writeImage(output, sum.film.image(), metadata);
+    for (const auto& output : a.outputs)
+        writeImage(output, sum.film.image(), metadata);
 }
 
 } // namespace

@@ -1,11 +1,11 @@
 #include "progress.h"
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
-
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -68,10 +68,8 @@ void ProgressReport::bar(const vitrine::SessionProgress& p) {
 }
 
 void ProgressReport::json(const vitrine::SessionProgress& p) const {
-    nlohmann::ordered_json line{{"fraction", p.fraction},
-                                {"passes", p.passesDone},
-                                {"samples", p.samples},
-                                {"elapsed", p.seconds}};
+    nlohmann::ordered_json line{
+        {"fraction", p.fraction}, {"passes", p.passesDone}, {"samples", p.samples}, {"elapsed", p.seconds}};
     if (const double left = timeLeft(p, spentBefore_); left >= 0) line["eta"] = left;
     if (std::isfinite(p.error)) line["relMSE"] = p.error;
     fmt::print(stderr, "{}\n", line.dump());

@@ -1,20 +1,19 @@
 #include "commands.h"
+#include "film/imageio.h"
 #include "interrupts.h"
 #include "progress.h"
-
-#include "film/imageio.h"
 #include "render/session.h"
 #include "scene/scene.h"
-
-#include <charconv>
-#include <filesystem>
-#include <fstream>
-#include <thread>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <filesystem>
+#include <fstream>
 #include <sys/resource.h>
+#include <thread>
 #include <unistd.h>
 
 namespace {
@@ -50,7 +49,8 @@ std::vector<T> numbers(const std::string& text, char separator, std::size_t coun
         values.push_back(value);
     }
     if (values.size() != count || text.ends_with(separator))
-        throw std::invalid_argument(fmt::format("{} takes {} numbers separated by '{}', not \"{}\"", flag, count, separator, text));
+        throw std::invalid_argument(
+            fmt::format("{} takes {} numbers separated by '{}', not \"{}\"", flag, count, separator, text));
     return values;
 }
 
@@ -154,7 +154,8 @@ void writeStats(const std::string& file, const Scene& scene, const Film& film, c
 }
 
 void printWarnings(const Scene& scene) {
-    for (const auto& warning : scene.warnings) fmt::print(stderr, "{}\n", warning.toString());
+    for (const auto& warning : scene.warnings)
+        fmt::print(stderr, "{}\n", warning.toString());
 }
 
 /// What earlier sessions left in the checkpoint, if there is one.
@@ -180,7 +181,8 @@ int renderOnce(const RenderArguments& a, std::vector<std::string>* watched) {
     const std::vector<std::string> outputs =
         !a.partial.empty() ? std::vector<std::string>{}
                            : (a.outputs.empty() ? std::vector<std::string>{scene.outputFile} : a.outputs);
-    for (const auto& output : outputs) checkOutput(output);
+    for (const auto& output : outputs)
+        checkOutput(output);
     const std::string defaultCheckpoint = outputs.empty() ? a.partial : outputs.front() + ".checkpoint";
     const std::string checkpoint = a.checkpoint.empty() && a.resume ? defaultCheckpoint : a.checkpoint;
 
@@ -213,12 +215,14 @@ int renderOnce(const RenderArguments& a, std::vector<std::string>* watched) {
     report.finish();
 
     if (const auto bad = film.firstBadPixel())
-        fmt::print(stderr, "vitrine: warning: {} samples were not finite or too large and left out, first in pixel {},{}\n",
+        fmt::print(stderr,
+                   "vitrine: warning: {} samples were not finite or too large and left out, first in pixel {},{}\n",
                    film.badSamples(), bad->x, bad->y);
     if (!a.partial.empty()) writePartial(a.partial, state, film);
     ImageMetadata metadata = scene.metadata;
     metadata.numbers["samplesPerPixel"] = double(state.passes.size());
-    for (const auto& output : outputs) writeImage(output, film.image(), metadata);
+    for (const auto& output : outputs)
+        writeImage(output, film.image(), metadata);
     if (!a.stats.empty()) writeStats(a.stats, scene, film, state, samples, state.seconds - before);
     if (end != SessionEnd::Interrupted) return 0;
     if (checkpoint.empty() && a.partial.empty()) writePartial(defaultCheckpoint, state, film);
@@ -255,7 +259,8 @@ int renderAndWatch(const RenderArguments& a) {
         fmt::print(stderr, "vitrine: watching {}; Ctrl-C ends\n", a.scene);
         // Files that the last reading added count from now on.
         auto last = std::max(before, newestChange(files));
-        while (!interrupted() && newestChange(files) <= last) std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        while (!interrupted() && newestChange(files) <= last)
+            std::this_thread::sleep_for(std::chrono::milliseconds(300));
     }
     return stoppedBySignal;
 }
@@ -266,14 +271,17 @@ void registerRender(CLI::App& app, int& exitCode) {
     auto* command = app.add_subcommand("render", "Render a scene to pictures");
     auto a = std::make_shared<RenderArguments>();
     command->add_option("scene", a->scene, "Scene file, pbrt-v4's format")->required();
-    command->add_option("-o,--outfile", a->outputs, "Picture to write (.exr .png .ppm .hdr .jpg), several times for several")
+    command
+        ->add_option("-o,--outfile", a->outputs,
+                     "Picture to write (.exr .png .ppm .hdr .jpg), several times for several")
         ->take_all()
         ->allow_extra_args(false);
     command->add_option("--integrator", a->overrides.integrator, "Integrator in place of the scene's");
     command->add_option("--spp", a->spp, "Samples a pixel (the same as --passes)");
     command->add_option("--passes", a->passes, "Passes: N, or A:B for those from A up to B");
     command->add_option("--time", a->time, "Stop after so many seconds (without --spp: as many samples as fit)");
-    command->add_option("--error", a->error, "Stop at this estimated relMSE (without --spp: as many samples as it takes)");
+    command->add_option("--error", a->error,
+                        "Stop at this estimated relMSE (without --spp: as many samples as it takes)");
     command->add_option("--seed", a->seed, "Seed of all random numbers");
     command->add_option("--nthreads", a->threads, "Threads; 0: all. The picture does not depend on it");
     command->add_option("--resolution", a->resolution, "WxH in place of the scene's");
@@ -286,7 +294,8 @@ void registerRender(CLI::App& app, int& exitCode) {
     command->add_option("--checkpoint", a->checkpoint, "File to save the state in, now and then and at the end");
     command->add_option("--checkpoint-every", a->checkpointEvery, "Seconds between checkpoints");
     command->add_flag("--resume", a->resume, "Go on from the checkpoint, if there is one");
-    command->add_option("--partial", a->partial, "Write the sums of these passes for \"vitrine merge\", and no picture");
+    command->add_option("--partial", a->partial,
+                        "Write the sums of these passes for \"vitrine merge\", and no picture");
     command->add_option("--progress", a->progress, "auto, bar, json or none");
     command->add_option("--stats", a->stats, "Write figures about the render to this JSON file");
     command->add_flag("--watch", a->watch, "Render again whenever the scene's files change");

@@ -44,12 +44,11 @@ SampledSpectrum PathIntegrator::directLight(const World& world, const Walk& walk
     const V3f wo = vertex.frame.toLocal(vertex.wo), wi = vertex.frame.toLocal(light->wi);
     const SampledSpectrum f = bsdf.f(wo, wi, TransportMode::Radiance) * std::abs(wi.z);
     if (f.isBlack()) return SampledSpectrum(0.f);
-    const SampledSpectrum arriving = light->l * shadowTransmittance(world, vertex, light->shadow, light->wi,
-                                                                    walk.interior(), walk.lambda());
+    const SampledSpectrum arriving =
+        light->l * shadowTransmittance(world, vertex, light->shadow, light->wi, walk.interior(), walk.lambda());
     if (arriving.isBlack()) return SampledSpectrum(0.f);
     const float pdfLight = chosen.probability * light->pdf;
-    const float weight =
-        light->isDelta ? 1.f : powerHeuristic(pdfLight, bsdf.pdf(wo, wi, TransportMode::Radiance));
+    const float weight = light->isDelta ? 1.f : powerHeuristic(pdfLight, bsdf.pdf(wo, wi, TransportMode::Radiance));
     return f * arriving * (weight / pdfLight);
 }
 

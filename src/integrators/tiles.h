@@ -5,6 +5,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+
 #include <xmmintrin.h>
 
 namespace vitrine {
@@ -35,7 +36,8 @@ void forEachPixel(const V2i& min, const V2i& max, PerPixel&& perPixel, AfterTile
             const V2i first(min.x + int(tile % across) * side, min.y + int(tile / across) * side);
             const V2i last(std::min(first.x + side, max.x), std::min(first.y + side, max.y));
             for (int y = first.y; y < last.y; ++y)
-                for (int x = first.x; x < last.x; ++x) perPixel(V2i(x, y));
+                for (int x = first.x; x < last.x; ++x)
+                    perPixel(V2i(x, y));
             afterTile((last.x - first.x) * (last.y - first.y));
         }
     });

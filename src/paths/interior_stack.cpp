@@ -14,7 +14,8 @@ int InteriorStack::strongest(int except) const {
 
 int InteriorStack::lastOf(const Interior& interior) const {
     int i = size_ - 1;
-    while (i >= 0 && entries_[std::size_t(i)] != &interior) --i;
+    while (i >= 0 && entries_[std::size_t(i)] != &interior)
+        --i;
     return i;
 }
 

@@ -16,7 +16,7 @@ class InteriorStack {
 
     /// What a path meets at the surface of a solid.
     struct Crossing {
-        bool isReal = true;               ///< false: a solid of higher priority is there; the surface does nothing
+        bool isReal = true;                ///< false: a solid of higher priority is there; the surface does nothing
         const Interior* outside = nullptr; ///< what lies on the outer side; null: vacuum
     };
 

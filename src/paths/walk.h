@@ -14,14 +14,14 @@ struct Vertex {
     V3f wo; ///< unit, world, back along the path
     Frame frame;
     InteriorStack::Crossing crossing; ///< what lies on the other sides of a solid's surface
-    bool scatters = true; ///< false: it only shines (an interface material, or overruled by another solid)
+    bool scatters = true;             ///< false: it only shines (an interface material, or overruled by another solid)
 
     const SurfacePoint& point() const { return hit.point; }
 };
 
 /// What the walk did at a vertex.
 struct Scattered {
-    V3f wi; ///< world
+    V3f wi;        ///< world
     float pdf = 0; ///< per solid angle; meaningless for specular scattering
     bool specular = false;
 };

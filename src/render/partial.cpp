@@ -4,10 +4,10 @@
 #include "core/random.h"
 #include "core/replace_file.h"
 
+#include <fmt/format.h>
+
 #include <cstring>
 #include <fstream>
-
-#include <fmt/format.h>
 
 namespace vitrine {
 
@@ -25,7 +25,8 @@ class Checksum {
             std::memcpy(&word, bytes, 8);
             value_ = mixBits(value_ ^ word) + goldenGamma;
         }
-        for (; size > 0; ++bytes, --size) value_ = mixBits(value_ ^ *bytes) + goldenGamma;
+        for (; size > 0; ++bytes, --size)
+            value_ = mixBits(value_ ^ *bytes) + goldenGamma;
     }
     std::uint64_t value() const { return value_; }
 
@@ -146,7 +147,8 @@ void PassSet::add(PassRange range) {
 
 std::uint64_t PassSet::size() const {
     std::uint64_t n = 0;
-    for (const auto& r : ranges_) n += r.size();
+    for (const auto& r : ranges_)
+        n += r.size();
     return n;
 }
 
@@ -165,7 +167,8 @@ std::vector<PassRange> PassSet::missingFrom(PassRange range) const {
 
 std::string PassSet::toString() const {
     std::string text;
-    for (const auto& r : ranges_) text += fmt::format("{}{}:{}", text.empty() ? "" : ", ", r.begin, r.end);
+    for (const auto& r : ranges_)
+        text += fmt::format("{}{}:{}", text.empty() ? "" : ", ", r.begin, r.end);
     return text;
 }
 
@@ -176,7 +179,8 @@ void writePartial(const std::string& path, const PartialRender& state, const Fil
     w.text(state.sceneName);
     w.value(state.seconds);
     w.value(std::uint64_t(state.passes.ranges().size()));
-    for (const auto& r : state.passes.ranges()) w.value(r);
+    for (const auto& r : state.passes.ranges())
+        w.value(r);
     writeFilmSettings(w, film.settings());
     const auto sums = std::as_bytes(film.sums());
     const std::uint64_t checksum = w.checksumWith(sums);

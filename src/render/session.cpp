@@ -1,11 +1,11 @@
 #include "render/session.h"
 
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
 #include <condition_variable>
 #include <mutex>
 #include <thread>
-
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 
 namespace vitrine {
 
@@ -23,7 +23,8 @@ class Ticker {
     explicit Ticker(std::function<void()> tick) {
         thread_ = std::thread([this, tick = std::move(tick)] {
             std::unique_lock lock(mutex_);
-            while (!wake_.wait_for(lock, std::chrono::milliseconds(200), [this] { return done_; })) tick();
+            while (!wake_.wait_for(lock, std::chrono::milliseconds(200), [this] { return done_; }))
+                tick();
         });
     }
     ~Ticker() {
@@ -63,7 +64,8 @@ SessionEnd Session::run(const SessionOptions& options, const std::function<void(
     const double pixels = double(size.x) * double(size.y);
     const std::vector<PassRange> missing = state_.passes.missingFrom(options.passes);
     std::uint64_t toDo = 0;
-    for (const auto& range : missing) toDo += range.size();
+    for (const auto& range : missing)
+        toDo += range.size();
 
     RenderCounters counters;
     std::atomic<double> error{infinityD};
@@ -83,8 +85,7 @@ SessionEnd Session::run(const SessionOptions& options, const std::function<void(
 
     // More threads than processors are the user's wish: without this, TBB would quietly give fewer.
     std::optional<tbb::global_control> limit;
-    if (options.threads > 0)
-        limit.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(options.threads));
+    if (options.threads > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(options.threads));
     tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
     std::uint64_t doneHere = 0;
     double lastCheckpoint = 0;

@@ -11,17 +11,17 @@ namespace vitrine {
 /// When to stop, and what to save on the way. The picture after a given set of passes depends on none of this.
 struct SessionOptions {
     PassRange passes{0, 1};
-    double timeLimit = 0;  ///< seconds of rendering in this session; 0: none
-    double errorLimit = 0; ///< estimated relMSE at which to stop; 0: none
-    int threads = 0;       ///< 0: all
+    double timeLimit = 0;           ///< seconds of rendering in this session; 0: none
+    double errorLimit = 0;          ///< estimated relMSE at which to stop; 0: none
+    int threads = 0;                ///< 0: all
     std::string checkpointFile;     ///< empty: none
     double checkpointInterval = 60; ///< seconds
 };
 
 struct SessionProgress {
-    double fraction = 0; ///< of the passes asked for, or of the time; 1 only when done
-    double seconds = 0;  ///< rendering time, earlier sessions included
-    std::uint64_t samples = 0;  ///< camera samples this session
+    double fraction = 0;       ///< of the passes asked for, or of the time; 1 only when done
+    double seconds = 0;        ///< rendering time, earlier sessions included
+    std::uint64_t samples = 0; ///< camera samples this session
     std::uint64_t passesDone = 0;
     double error = infinityD; ///< estimated relMSE; infinite while unknown or not asked for
 };
@@ -40,7 +40,7 @@ class Session {
                    const std::function<bool()>& interrupted);
 
   private:
-    World const& world_;
+    const World& world_;
     const Integrator& integrator_;
     Film& film_;
     PartialRender& state_;

@@ -3,9 +3,9 @@
 #include "nodes/parser.h"
 #include "nodes/spd.h"
 
-#include <filesystem>
-
 #include <fmt/format.h>
+
+#include <filesystem>
 
 namespace vitrine {
 
@@ -25,9 +25,12 @@ SpectrumPtr fromRgb(const ParameterSet& parameters, std::string_view name, const
     if (!space) throw SceneError(node.place, fmt::format("unknown colour space \"{}\"", node.colorSpace));
     const Rgb rgb(float(node.values[0]), float(node.values[1]), float(node.values[2]));
     switch (use) {
-    case SpectrumUse::Illuminant: return std::make_shared<RgbIlluminantSpectrum>(*space, rgb);
-    case SpectrumUse::Unbounded: return std::make_shared<RgbUnboundedSpectrum>(*space, rgb);
-    case SpectrumUse::Albedo: break;
+    case SpectrumUse::Illuminant:
+        return std::make_shared<RgbIlluminantSpectrum>(*space, rgb);
+    case SpectrumUse::Unbounded:
+        return std::make_shared<RgbUnboundedSpectrum>(*space, rgb);
+    case SpectrumUse::Albedo:
+        break;
     }
     if (std::max({rgb.x, rgb.y, rgb.z}) > 1)
         parameters.error(name, fmt::format("\"rgb {}\" is a reflectance: its values must lie in [0, 1]", name));
@@ -61,7 +64,8 @@ SpectrumPtr BuildContext::namedOrFile(const SpectrumNode& node) {
 SpectrumPtr findSpectrum(BuildContext& context, const ParameterSet& parameters, std::string_view name,
                          SpectrumUse use) {
     if (const auto texture = parameters.findTexture(name)) {
-        parameters.error(name, fmt::format("textures are not yet supported: texture \"{}\" for \"{}\"", *texture, name));
+        parameters.error(name,
+                         fmt::format("textures are not yet supported: texture \"{}\" for \"{}\"", *texture, name));
         return nullptr;
     }
     if (use != SpectrumUse::Illuminant && parameters.is(name, ParameterType::Float)) {
@@ -72,10 +76,14 @@ SpectrumPtr findSpectrum(BuildContext& context, const ParameterSet& parameters, 
     if (!node) return nullptr;
     try {
         switch (node->kind) {
-        case SpectrumNode::Kind::Rgb: return fromRgb(parameters, name, *node, use);
-        case SpectrumNode::Kind::Blackbody: return std::make_shared<BlackbodySpectrum>(float(node->values[0]));
-        case SpectrumNode::Kind::Name: return context.namedOrFile(*node);
-        case SpectrumNode::Kind::Pairs: break;
+        case SpectrumNode::Kind::Rgb:
+            return fromRgb(parameters, name, *node, use);
+        case SpectrumNode::Kind::Blackbody:
+            return std::make_shared<BlackbodySpectrum>(float(node->values[0]));
+        case SpectrumNode::Kind::Name:
+            return context.namedOrFile(*node);
+        case SpectrumNode::Kind::Pairs:
+            break;
         }
         std::vector<double> lambdas, values;
         for (std::size_t i = 0; i + 1 < node->values.size(); i += 2) {
@@ -88,14 +96,16 @@ SpectrumPtr findSpectrum(BuildContext& context, const ParameterSet& parameters, 
     } catch (const FileError& e) {
         parameters.error(name, e.what());
     } catch (const SceneError& e) {
-        for (const auto& d : e.diagnostics()) context.diagnostics().error(d.place, d.message, d.hint);
+        for (const auto& d : e.diagnostics())
+            context.diagnostics().error(d.place, d.message, d.hint);
     }
     return nullptr;
 }
 
 std::optional<float> findFloatTexture(const ParameterSet& parameters, std::string_view name) {
     if (const auto texture = parameters.findTexture(name)) {
-        parameters.error(name, fmt::format("textures are not yet supported: texture \"{}\" for \"{}\"", *texture, name));
+        parameters.error(name,
+                         fmt::format("textures are not yet supported: texture \"{}\" for \"{}\"", *texture, name));
         return {};
     }
     const auto value = parameters.findFloat(name);
@@ -113,14 +123,21 @@ void refuse(const ParameterSet& parameters, std::initializer_list<std::string_vi
 void acceptWithoutEffect(const ParameterSet& parameters, std::initializer_list<std::string_view> names) {
     // Asked for by each of the types that pbrt-v4 has under these names; only the one given matches.
     for (const auto name : names) {
-        if (parameters.is(name, ParameterType::Integer)) parameters.getIntegers(name);
-        else if (parameters.is(name, ParameterType::Float)) parameters.getFloats(name);
-        else if (parameters.is(name, ParameterType::Bool)) parameters.findBool(name);
-        else if (parameters.is(name, ParameterType::Texture)) parameters.findTexture(name);
-        else if (parameters.is(name, ParameterType::Point3)) parameters.getPoint3s(name);
+        if (parameters.is(name, ParameterType::Integer))
+            parameters.getIntegers(name);
+        else if (parameters.is(name, ParameterType::Float))
+            parameters.getFloats(name);
+        else if (parameters.is(name, ParameterType::Bool))
+            parameters.findBool(name);
+        else if (parameters.is(name, ParameterType::Texture))
+            parameters.findTexture(name);
+        else if (parameters.is(name, ParameterType::Point3))
+            parameters.getPoint3s(name);
         else if (parameters.is(name, ParameterType::Rgb) || parameters.is(name, ParameterType::Spectrum) ||
-                 parameters.is(name, ParameterType::Blackbody)) parameters.findSpectrum(name);
-        else parameters.getStrings(name);
+                 parameters.is(name, ParameterType::Blackbody))
+            parameters.findSpectrum(name);
+        else
+            parameters.getStrings(name);
     }
 }
 

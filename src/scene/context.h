@@ -26,7 +26,8 @@ class BuildContext {
             result = build();
             finished = true;
         } catch (const SceneError& e) {
-            for (const auto& d : e.diagnostics()) diagnostics_.error(d.place, d.message, d.hint);
+            for (const auto& d : e.diagnostics())
+                diagnostics_.error(d.place, d.message, d.hint);
         } catch (const std::invalid_argument& e) {
             diagnostics_.error(node.place, e.what());
         } catch (const std::domain_error& e) {

@@ -105,7 +105,8 @@ FilmPlan rgbFilm(BuildContext& context, const Overrides& overrides) {
     if (overrides.resolution) s.resolution = *overrides.resolution;
     if (overrides.quick) s.resolution = V2i(std::max(1, s.resolution.x / 4), std::max(1, s.resolution.y / 4));
     if (s.resolution.x <= 0 || s.resolution.y <= 0)
-        throw SceneError(node.place, fmt::format("a picture of {} x {} pixels has none", s.resolution.x, s.resolution.y));
+        throw SceneError(node.place,
+                         fmt::format("a picture of {} x {} pixels has none", s.resolution.x, s.resolution.y));
     cropFilm(node, s, overrides);
 
     s.colorSpace = RgbColorSpace::named(p.colorSpace());
@@ -148,8 +149,7 @@ SamplerKind kindOf(const Node& node) {
 
 FilmPlan buildFilm(BuildContext& context, const Overrides& overrides) {
     const Node& node = context.nodes().film;
-    return context.guarded(
-        node, [&] { return findBuilder<FilmBuilder>(filmTypes, node, "film")(context, overrides); });
+    return context.guarded(node, [&] { return findBuilder<FilmBuilder>(filmTypes, node, "film")(context, overrides); });
 }
 
 SamplerPlan buildSampler(BuildContext& context, const Overrides& overrides) {

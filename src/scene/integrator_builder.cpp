@@ -22,20 +22,10 @@ std::unique_ptr<Integrator> path(const ParameterSet& p, const SamplerSettings& s
 }
 
 using IntegratorBuilder = std::unique_ptr<Integrator> (*)(const ParameterSet&, const SamplerSettings&);
-constexpr RegistryEntry<IntegratorBuilder> integratorTypes[] = {{"path", path},
-                                                                {"volpath", path},
-                                                                {"lightpath"},
-                                                                {"ppm"},
-                                                                {"sppm"},
-                                                                {"bdpt"},
-                                                                {"vcm"},
-                                                                {"hybrid"},
-                                                                {"mlt"},
-                                                                {"ambientocclusion"},
-                                                                {"function"},
-                                                                {"randomwalk"},
-                                                                {"simplepath"},
-                                                                {"simplevolpath"}};
+constexpr RegistryEntry<IntegratorBuilder> integratorTypes[] = {
+    {"path", path}, {"volpath", path}, {"lightpath"},  {"ppm"},          {"sppm"},
+    {"bdpt"},       {"vcm"},           {"hybrid"},     {"mlt"},          {"ambientocclusion"},
+    {"function"},   {"randomwalk"},    {"simplepath"}, {"simplevolpath"}};
 
 } // namespace
 

@@ -1,9 +1,9 @@
+#include "film/imageio.h"
 #include "lights/constant_infinite_light.h"
 #include "lights/distant_light.h"
 #include "lights/image_infinite_light.h"
 #include "lights/point_light.h"
 #include "lights/spot_light.h"
-#include "film/imageio.h"
 #include "scene/registry.h"
 #include "scene/world_builder.h"
 
@@ -80,9 +80,8 @@ LightPtr infinite(const LightInput& in) {
 }
 
 using LightBuilder = LightPtr (*)(const LightInput&);
-constexpr RegistryEntry<LightBuilder> lightTypes[] = {{"point", point},       {"spot", spot},
-                                                      {"distant", distant},   {"infinite", infinite},
-                                                      {"goniometric"},        {"projection"}};
+constexpr RegistryEntry<LightBuilder> lightTypes[] = {{"point", point},       {"spot", spot},  {"distant", distant},
+                                                      {"infinite", infinite}, {"goniometric"}, {"projection"}};
 
 std::vector<std::shared_ptr<AreaLight>> diffuseArea(BuildContext& context, const Node& node,
                                                     const std::vector<ShapePtr>& shapes) {
@@ -95,7 +94,8 @@ std::vector<std::shared_ptr<AreaLight>> diffuseArea(BuildContext& context, const
     const double power = p.getFloat("power", s.power);
 
     double area = 0;
-    for (const auto& shape : shapes) area += shape->area();
+    for (const auto& shape : shapes)
+        area += shape->area();
     std::vector<std::shared_ptr<AreaLight>> lights;
     for (const auto& shape : shapes) {
         s.power = power > 0 ? power * shape->area() / area : power;

@@ -34,7 +34,8 @@ MaterialPtr conductor(BuildContext& context, const ParameterSet& p) {
     const Roughness r = roughness(p);
     if (p.has("reflectance")) {
         if (p.has("eta") || p.has("k"))
-            throw SceneError(p.place("reflectance"), "a conductor takes \"reflectance\" or \"eta\" and \"k\", not both");
+            throw SceneError(p.place("reflectance"),
+                             "a conductor takes \"reflectance\" or \"eta\" and \"k\", not both");
         const auto reflectance = findSpectrum(context, p, "reflectance", SpectrumUse::Albedo);
         return reflectance ? std::make_shared<ConductorMaterial>(
                                  ConductorMaterial::fromReflectance(reflectance, r.u, r.v, r.remap))

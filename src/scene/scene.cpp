@@ -6,11 +6,11 @@
 #include "scene/integrator_builder.h"
 #include "scene/world_builder.h"
 
+#include <fmt/format.h>
+
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-
-#include <fmt/format.h>
 
 namespace vitrine {
 
@@ -20,7 +20,8 @@ namespace {
 class Fingerprint {
   public:
     void add(std::string_view text) {
-        for (const char c : text) value_ = (value_ ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
+        for (const char c : text)
+            value_ = (value_ ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
         value_ = mixBits(value_ + goldenGamma + text.size());
     }
     void addFile(const std::string& path) {
@@ -48,12 +49,14 @@ struct Settings {
 
     void addTo(SceneNodes& nodes) const {
         for (const auto& p : parameters)
-            for (Node* node : {&nodes.integrator, &nodes.film, &nodes.sampler}) node->parameters.addOverride(p);
+            for (Node* node : {&nodes.integrator, &nodes.film, &nodes.sampler})
+                node->parameters.addOverride(p);
     }
     void checkRead(const SceneNodes& nodes, Diagnostics& diagnostics) const {
         std::vector<std::string> known;
         for (const Node* node : {&nodes.integrator, &nodes.film, &nodes.sampler})
-            for (const auto& name : node->parameters.askedNames()) known.push_back(name);
+            for (const auto& name : node->parameters.askedNames())
+                known.push_back(name);
         for (const auto& p : parameters)
             if (std::find(known.begin(), known.end(), p->name) == known.end()) {
                 Place name = p->place; // of the value, after the name and '='
@@ -86,8 +89,10 @@ void count(const SceneNodes& nodes, Scene& scene) {
         }
     };
     countShapes(nodes.shapes);
-    for (const auto& object : nodes.objects) countShapes(object.shapes);
-    for (const auto& light : nodes.lights) ++scene.lightTypes[light.type];
+    for (const auto& object : nodes.objects)
+        countShapes(object.shapes);
+    for (const auto& light : nodes.lights)
+        ++scene.lightTypes[light.type];
     for (const auto& material : nodes.materials)
         if (material.place) ++scene.materialTypes[material.type];
     scene.instances = nodes.instances.size();
@@ -104,7 +109,8 @@ void describe(const SceneNodes& nodes, const std::optional<M44d>& ndcFromCamera,
 
 std::string defaultOutput(const std::string& sceneName) {
     std::filesystem::path name = std::filesystem::path(sceneName).filename();
-    while (name.has_extension()) name = name.stem();
+    while (name.has_extension())
+        name = name.stem();
     return (name.empty() || name == "-" ? "vitrine" : name.string()) + ".exr";
 }
 
@@ -129,11 +135,13 @@ Scene buildScene(SceneNodes nodes, const Overrides& overrides) {
     Scene scene;
     scene.name = nodes.name;
     Settings settings;
-    for (const auto& text : overrides.settings) settings.parameters.push_back(parseSetting(text));
+    for (const auto& text : overrides.settings)
+        settings.parameters.push_back(parseSetting(text));
     settings.addTo(nodes);
 
     Diagnostics diagnostics;
-    for (const auto& warning : nodes.warnings) diagnostics.warning(warning.place, warning.message, warning.hint);
+    for (const auto& warning : nodes.warnings)
+        diagnostics.warning(warning.place, warning.message, warning.hint);
     refuseOptions(nodes, diagnostics);
     BuildContext context(nodes, diagnostics);
     const FilmPlan film = buildFilm(context, overrides);
@@ -152,7 +160,8 @@ Scene buildScene(SceneNodes nodes, const Overrides& overrides) {
     scene.world.camera = std::move(camera.camera);
     scene.world.prepare();
     scene.outputFile = film.fileName.empty() ? defaultOutput(nodes.name) : film.fileName;
-    for (const auto& d : diagnostics.all()) scene.warnings.push_back(d);
+    for (const auto& d : diagnostics.all())
+        scene.warnings.push_back(d);
     count(nodes, scene);
     scene.primitives = context.primitives();
     describe(nodes, camera.ndcFromCamera, scene);
@@ -167,7 +176,8 @@ Scene buildScene(SceneNodes nodes, const Overrides& overrides) {
         scene.files.push_back(file);
     }
     // Not the number of samples: a checkpoint may go on to more.
-    for (const auto& text : overrides.settings) fingerprint.add(text);
+    for (const auto& text : overrides.settings)
+        fingerprint.add(text);
     fingerprint.add(fmt::format("{} {} {} {} {} {} {}", scene.integratorType, sampler.settings.seed,
                                 int(sampler.settings.kind), scene.film.resolution.x, scene.film.resolution.y,
                                 scene.film.cropMin.x, scene.film.cropMin.y));

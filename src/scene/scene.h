@@ -1,13 +1,12 @@
 // A scene file, read and built: everything a render needs.
 #pragma once
 
+#include "core/errors.h"
 #include "film/film.h"
 #include "film/imageio.h"
 #include "integrators/integrator.h"
 #include "paths/world.h"
 #include "scene/overrides.h"
-
-#include "core/errors.h"
 
 namespace vitrine {
 

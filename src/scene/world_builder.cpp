@@ -21,14 +21,16 @@ class WorldBuilder {
         refuseMedia();
         buildMaterials();
         checkUnusedAreaLights();
-        for (const auto& node : context_.nodes().shapes) addShape(node, input_.shapes, true);
+        for (const auto& node : context_.nodes().shapes)
+            addShape(node, input_.shapes, true);
         for (const auto& object : context_.nodes().objects) {
             auto& group = input_.groups.emplace_back();
-            for (const auto& node : object.shapes) addShape(node, group, false);
+            for (const auto& node : object.shapes)
+                addShape(node, group, false);
         }
         for (const auto& instance : context_.nodes().instances)
-            input_.instances.push_back({std::uint32_t(instance.object),
-                                        still(context_, instance.worldFromInstance, instance.place)});
+            input_.instances.push_back(
+                {std::uint32_t(instance.object), still(context_, instance.worldFromInstance, instance.place)});
         refuseFarInstances();
         for (const auto& node : context_.nodes().lights)
             if (auto light = buildLight(context_, node)) lights_.push_back(std::move(light));
@@ -48,7 +50,8 @@ class WorldBuilder {
     }
 
     void buildMaterials() {
-        for (const auto& node : context_.nodes().materials) materials_.push_back(buildMaterial(context_, node));
+        for (const auto& node : context_.nodes().materials)
+            materials_.push_back(buildMaterial(context_, node));
     }
 
     /// Those are never built, but what stands in them shall be right.
@@ -59,7 +62,8 @@ class WorldBuilder {
                 if (shape.areaLight >= 0) used[std::size_t(shape.areaLight)] = true;
         };
         use(context_.nodes().shapes);
-        for (const auto& object : context_.nodes().objects) use(object.shapes);
+        for (const auto& object : context_.nodes().objects)
+            use(object.shapes);
         for (std::size_t i = 0; i < used.size(); ++i)
             if (!used[i]) buildAreaLights(context_, context_.nodes().areaLights[i], {});
     }
@@ -98,7 +102,8 @@ class WorldBuilder {
     void refuseFarInstances() {
         if (input_.instances.empty()) return;
         std::vector<Box3d> groups(input_.groups.size());
-        for (std::size_t i = 0; i < groups.size(); ++i) extend(groups[i], input_.groups[i]);
+        for (std::size_t i = 0; i < groups.size(); ++i)
+            extend(groups[i], input_.groups[i]);
         Box3d world;
         extend(world, input_.shapes);
         for (const auto& instance : input_.instances)
@@ -114,7 +119,8 @@ class WorldBuilder {
                     place, fmt::format("this instance reaches too far: coordinates go up to {:g}", farthest));
             else if (isFar(instance.worldFromInstance.inverse().box(world)))
                 context_.diagnostics().error(
-                    place, fmt::format("this instance is too small: seen from it, the scene reaches beyond {:g}", farthest));
+                    place,
+                    fmt::format("this instance is too small: seen from it, the scene reaches beyond {:g}", farthest));
         }
     }
 
@@ -127,13 +133,15 @@ class WorldBuilder {
             if (shape->kind() == GeometryKind::User && !shape->isClosed())
                 context_.diagnostics().warning(
                     node.place, fmt::format("this {} is not closed: its dielectric needs other shapes of the same "
-                                            "material to bound a solid", node.type));
+                                            "material to bound a solid",
+                                            node.type));
     }
 
     void placeLights() {
         Box3d box = world_.caster->bounds();
         if (box.isEmpty()) box = Box3d(V3d(0, 0, 0), V3d(0, 0, 0));
-        for (const auto& light : lights_) light->preprocess(box.center(), box.size().length() / 2);
+        for (const auto& light : lights_)
+            light->preprocess(box.center(), box.size().length() / 2);
     }
 
     BuildContext& context_;

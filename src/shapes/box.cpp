@@ -22,7 +22,8 @@ double checkedReach(const V3d& pMin, const V3d& pMax) {
 } // namespace
 
 Box::Box(const Transform& worldFromObject, bool reverseOrientation, const V3d& pMin, const V3d& pMax)
-    : min_(pMin), max_(pMax), placement_(Placement::solid(worldFromObject, reverseOrientation, checkedReach(pMin, pMax))) {
+    : min_(pMin), max_(pMax),
+      placement_(Placement::solid(worldFromObject, reverseOrientation, checkedReach(pMin, pMax))) {
     const V3d size = pMax - pMin;
     area_ = 0;
     for (int axis = 0; axis < 3; ++axis) {

@@ -29,8 +29,8 @@ struct SurfacePoint {
     V3f ng;           ///< unit geometric normal, the outside; flipped by ReverseOrientation and by mirroring as pbrt's
     V3f ns;           ///< unit shading normal, in ng's hemisphere
     V2f uv;
-    V3f dpdu, dpdv;   ///< per unit of uv; may be zero at poles
-    V3f dndu, dndv;   ///< derivatives of ns
+    V3f dpdu, dpdv; ///< per unit of uv; may be zero at poles
+    V3f dndu, dndv; ///< derivatives of ns
 };
 
 /// A point drawn on a shape, for light sampling.

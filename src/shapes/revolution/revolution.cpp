@@ -26,7 +26,8 @@ V3d atAngle(const V2d& p, double cosPhi, double sinPhi) {
 
 Revolution::Revolution(const Transform& worldFromObject, bool reverseOrientation, Profile profile, double phiMaxDegrees)
     : profile_(std::move(profile)), phi_(phiMaxDegrees),
-      placement_(Placement::solid(worldFromObject, reverseOrientation, profile_.size())), roots_(profile_), table_(profile_) {
+      placement_(Placement::solid(worldFromObject, reverseOrientation, profile_.size())), roots_(profile_),
+      table_(profile_) {
     // Horner's rule for the point, the same again for what the next ray makes of it.
     constexpr double eps = std::numeric_limits<double>::epsilon();
     profileError_ = (8 + 2 * highestDegree(profile_)) * eps * profile_.size() * placement_.maxStretch();

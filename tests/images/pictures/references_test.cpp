@@ -20,8 +20,10 @@ struct Estimate {
 
 Estimate overRuns(const std::vector<double>& values) {
     Estimate e;
-    for (const double v : values) e.mean += v / double(values.size());
-    for (const double v : values) e.variance += (v - e.mean) * (v - e.mean);
+    for (const double v : values)
+        e.mean += v / double(values.size());
+    for (const double v : values)
+        e.variance += (v - e.mean) * (v - e.mean);
     e.variance /= double(values.size()) * double(values.size() - 1);
     return e;
 }
@@ -31,7 +33,8 @@ template <class At>
 double meanOf(int x0, int y0, int x1, int y1, At&& at) {
     double sum = 0;
     for (int y = y0; y < y1; ++y)
-        for (int x = x0; x < x1; ++x) sum += at(x, y);
+        for (int x = x0; x < x1; ++x)
+            sum += at(x, y);
     return sum / (double(x1 - x0) * (y1 - y0));
 }
 

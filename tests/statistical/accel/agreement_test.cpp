@@ -75,8 +75,9 @@ TEST(Agreement, Revolutions) {
         const auto points = joined(profile);
         return std::make_shared<Revolution>(t, false, Profile(points, int(profile.front().size()) - 1), phiMax);
     };
-    const CasterInput input = of({turned(gobletProfile(), Transform()), turned(vaseProfile(), placed(V3d(0.8, 0, 0.3), V3d(1), 0.2)),
-                                  turned(vaseProfile(), placed(V3d(-0.5, 0.4, 0), V3d(1.5), 1), 200)});
+    const CasterInput input =
+        of({turned(gobletProfile(), Transform()), turned(vaseProfile(), placed(V3d(0.8, 0, 0.3), V3d(1), 0.2)),
+            turned(vaseProfile(), placed(V3d(-0.5, 0.4, 0), V3d(1.5), 1), 200)});
     expectCastersAgree(input, boundsOf(input), 11, million, exact);
 }
 

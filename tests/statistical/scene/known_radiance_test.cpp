@@ -1,17 +1,18 @@
 // Scenes whose radiance is known in closed form, through the whole program: reader, builder, path tracer, film.
 #include "render_text.h"
 
-#include <gtest/gtest.h>
-
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 namespace vitrine {
 namespace {
 
 /// 4 x 4 pixels that look from +z to the origin.
 std::string head(const std::string& camera, const std::string& integrator = "\"integer maxdepth\" 200") {
-    return camera + "\nFilm \"rgb\" \"integer xresolution\" 4 \"integer yresolution\" 4\n"
-                    "Sampler \"zsobol\"\nPixelFilter \"box\"\nIntegrator \"path\" " + integrator + "\nWorldBegin\n";
+    return camera +
+           "\nFilm \"rgb\" \"integer xresolution\" 4 \"integer yresolution\" 4\n"
+           "Sampler \"zsobol\"\nPixelFilter \"box\"\nIntegrator \"path\" " +
+           integrator + "\nWorldBegin\n";
 }
 const std::string inside = "Camera \"perspective\" \"float fov\" 60\n";
 const std::string fromFar = "LookAt 0 0 5 0 0 0 0 1 0\nCamera \"perspective\" \"float fov\" 10\n";
@@ -28,7 +29,8 @@ TEST_P(Furnace, SphereOfAlbedoA) {
     const double a = GetParam();
     const std::string room = fmt::format("Material \"diffuse\" \"spectrum reflectance\" [300 {0} 900 {0}]\n"
                                          "AreaLightSource \"diffuse\" \"rgb L\" [1 1 1]\nReverseOrientation\n"
-                                         "Shape \"sphere\" \"float radius\" 2\n", a);
+                                         "Shape \"sphere\" \"float radius\" 2\n",
+                                         a);
     EXPECT_RADIANCE(head(inside) + room, 1 / (1 - a));
     EXPECT_RADIANCE(head(inside, "\"integer maxdepth\" 200 \"bool nee\" false") + room, 1 / (1 - a));
 }
@@ -38,7 +40,8 @@ TEST_P(Furnace, RevolvedRoom) {
     // A closed profile has its normal outside; the room shines inwards.
     EXPECT_RADIANCE(head(inside) + fmt::format("Material \"diffuse\" \"spectrum reflectance\" [300 {0} 900 {0}]\n"
                                                "AreaLightSource \"diffuse\" \"rgb L\" [1 1 1]\nReverseOrientation\n"
-                                               "Shape \"revolution\" \"point2 P\" [0 -2  3 -2  3 2  0 2]\n", a),
+                                               "Shape \"revolution\" \"point2 P\" [0 -2  3 -2  3 2  0 2]\n",
+                                               a),
                     1 / (1 - a));
 }
 
@@ -53,9 +56,10 @@ TEST_P(Invisible, UnderAUniformSky) {
 }
 
 TEST_P(Invisible, BeforeAUniformSkyAndRevolved) {
-    EXPECT_RADIANCE(head(fromFar) + sky + GetParam() +
-                        "\nShape \"revolution\" \"integer degree\" 3 \"point2 P\" [0 -1  .55 -1  1 -.55  1 0  1 .55  .55 1  0 1]\n",
-                    1.);
+    EXPECT_RADIANCE(
+        head(fromFar) + sky + GetParam() +
+            "\nShape \"revolution\" \"integer degree\" 3 \"point2 P\" [0 -1  .55 -1  1 -.55  1 0  1 .55  .55 1  0 1]\n",
+        1.);
 }
 
 INSTANTIATE_TEST_SUITE_P(Materials, Invisible,
@@ -71,7 +75,8 @@ TEST(Invisible, NestedSolidsOfEveryOrder) {
         EXPECT_RADIANCE(head(fromFar) + sky +
                             fmt::format("Material \"dielectric\" \"integer priority\" 2\nShape \"sphere\"\n"
                                         "Material \"dielectric\" \"float eta\" 1.33 \"integer priority\" {}\n"
-                                        "Translate .3 0 .2\nShape \"sphere\" \"float radius\" .9\n", inner),
+                                        "Translate .3 0 .2\nShape \"sphere\" \"float radius\" .9\n",
+                                        inner),
                         1.);
 }
 
@@ -171,20 +176,25 @@ INSTANTIATE_TEST_SUITE_P(
         std::pair("LightSource \"point\" \"rgb I\" [3 3 3] \"point3 from\" [0 0 2]\n", 3. / 4),
         std::pair("LightSource \"point\" \"rgb I\" [3 3 3] \"point3 from\" [2 0 2]\n", 3. / 8 * M_SQRT1_2),
         std::pair("LightSource \"spot\" \"rgb I\" [3 3 3] \"point3 from\" [0 0 2] \"point3 to\" [0 0 0]\n", 3. / 4),
-        std::pair("LightSource \"distant\" \"rgb L\" [2 2 2] \"point3 from\" [1 0 1] \"point3 to\" [0 0 0]\n", 2 * M_SQRT1_2),
+        std::pair("LightSource \"distant\" \"rgb L\" [2 2 2] \"point3 from\" [1 0 1] \"point3 to\" [0 0 0]\n",
+                  2 * M_SQRT1_2),
         std::pair("LightSource \"infinite\" \"rgb L\" [1 1 1]\n", M_PI),
         // A ball's irradiance is as if its light came from the middle: pi L r^2 / d^2 (while above the horizon).
         std::pair("AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [4 4 4]\nTranslate 0 0 3\n"
-                  "Shape \"sphere\" \"float radius\" .5\nAttributeEnd\n", M_PI * 4 * .25 / 9),
+                  "Shape \"sphere\" \"float radius\" .5\nAttributeEnd\n",
+                  M_PI * 4 * .25 / 9),
         std::pair("AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [4 4 4]\nTranslate 0 0 3\nRotate 180 1 0 0\n"
-                  "Shape \"disk\" \"float radius\" 2\nAttributeEnd\n", M_PI * 4 * 4. / (9 + 4)),
+                  "Shape \"disk\" \"float radius\" 2\nAttributeEnd\n",
+                  M_PI * 4 * 4. / (9 + 4)),
         // The same with a power in lumens: L = P / (pi A).
         std::pair("AttributeBegin\nAreaLightSource \"diffuse\" \"float power\" 100\nTranslate 0 0 3\nRotate 180 1 0 0\n"
-                  "Shape \"disk\" \"float radius\" 2\nAttributeEnd\n", 100 / (M_PI * 4.) * 4. / (9 + 4)),
+                  "Shape \"disk\" \"float radius\" 2\nAttributeEnd\n",
+                  100 / (M_PI * 4.) * 4. / (9 + 4)),
         // A revolved lamp: the same disk, turned from a horizontal profile that faces down (object y is world -z).
         std::pair("AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [4 4 4] \"bool twosided\" true\n"
                   "Translate 0 0 3\nRotate -90 1 0 0\n"
-                  "Shape \"revolution\" \"point2 P\" [0 0  2 0]\nAttributeEnd\n", M_PI * 4 * 4. / (9 + 4))));
+                  "Shape \"revolution\" \"point2 P\" [0 0  2 0]\nAttributeEnd\n",
+                  M_PI * 4 * 4. / (9 + 4))));
 
 } // namespace
 } // namespace vitrine

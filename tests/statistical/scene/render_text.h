@@ -28,15 +28,17 @@ inline Measured measure(const std::string& text, std::uint64_t passes = 256, int
     }
     Measured m{};
     for (int c = 0; c < 3; ++c) {
-        for (const auto& v : means) m.mean[c] += v[std::size_t(c)] / runs;
-        for (const auto& v : means) m.error[c] += (v[std::size_t(c)] - m.mean[c]) * (v[std::size_t(c)] - m.mean[c]);
+        for (const auto& v : means)
+            m.mean[c] += v[std::size_t(c)] / runs;
+        for (const auto& v : means)
+            m.error[c] += (v[std::size_t(c)] - m.mean[c]) * (v[std::size_t(c)] - m.mean[c]);
         m.error[c] = std::sqrt(m.error[c] / (double(runs) * (runs - 1)));
     }
     return m;
 }
 
 /// Expects grey radiance `expected`, within 5 standard errors and the rounding of RGB uplift (0.1 %).
-#define EXPECT_RADIANCE(text, expected)                                                                               \
+#define EXPECT_RADIANCE(text, expected)                                                                                \
     do {                                                                                                               \
         const Measured measured = measure(text);                                                                       \
         for (int c = 0; c < 3; ++c)                                                                                    \

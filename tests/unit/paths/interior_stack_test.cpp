@@ -99,7 +99,8 @@ TEST(InteriorStack, LeavingWhatWasNeverEnteredChangesNothing) {
 TEST(InteriorStack, ForgetsTheOldestWhenFull) {
     std::vector<Interior> solids(InteriorStack::capacity + 1, solid(1));
     InteriorStack stack;
-    for (const auto& s : solids) stack.enter(s);
+    for (const auto& s : solids)
+        stack.enter(s);
     EXPECT_EQ(stack.size(), InteriorStack::capacity);
     EXPECT_EQ(stack.current(), &solids[1]);
 }

@@ -1,14 +1,12 @@
-#include "render/partial.h"
-
 #include "core/errors.h"
-
-#include <filesystem>
-#include <fstream>
-
-#include <unistd.h>
+#include "render/partial.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
 
 namespace vitrine {
 namespace {
@@ -18,7 +16,8 @@ using testing::HasSubstr;
 
 std::vector<std::pair<std::uint64_t, std::uint64_t>> pairs(const std::vector<PassRange>& ranges) {
     std::vector<std::pair<std::uint64_t, std::uint64_t>> p;
-    for (const auto& r : ranges) p.emplace_back(r.begin, r.end);
+    for (const auto& r : ranges)
+        p.emplace_back(r.begin, r.end);
     return p;
 }
 using Pairs = std::vector<std::pair<std::uint64_t, std::uint64_t>>;
@@ -96,7 +95,8 @@ TEST_F(PartialFile, RoundTrip) {
     EXPECT_EQ(loaded.state.seconds, 1.5);
     EXPECT_EQ(loaded.state.passes.toString(), "0:3");
     ASSERT_EQ(loaded.film.sums().size(), film.sums().size());
-    for (std::size_t i = 0; i < film.sums().size(); ++i) EXPECT_EQ(loaded.film.sums()[i].raw(), film.sums()[i].raw());
+    for (std::size_t i = 0; i < film.sums().size(); ++i)
+        EXPECT_EQ(loaded.film.sums()[i].raw(), film.sums()[i].raw());
 }
 
 TEST_F(PartialFile, EveryCutAndEveryFlippedByteIsNoticed) {

@@ -1,7 +1,6 @@
-#include "shapes/ply.h"
-
 #include "core/errors.h"
 #include "core/random.h"
+#include "shapes/ply.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
