@@ -51,6 +51,16 @@ int explain(const CLI::App& app, const CLI::ParseError& error) {
     return wrongInput;
 }
 
+/// Commands of the manual that a later version has.
+void registerLater(CLI::App& app) {
+    for (const char* name : {"denoise", "mesh", "profile"}) {
+        auto* command = app.add_subcommand(name, "Not yet supported");
+        command->allow_extras();
+        command->callback(
+            [name] { throw NotYetSupported(fmt::format("the command \"{}\" is not yet supported", name)); });
+    }
+}
+
 int run(int argc, char** argv) {
     CLI::App app("Vitrine renders light through glass and off metal.", "vitrine");
     app.set_version_flag("--version", VITRINE_VERSION);
@@ -62,6 +72,7 @@ int run(int argc, char** argv) {
     registerDiff(app);
     registerConvert(app);
     registerMerge(app);
+    registerLater(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {

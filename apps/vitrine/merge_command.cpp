@@ -40,6 +40,7 @@ void merge(const MergeArguments& a) {
     const LoadedPartial sum = mergeParts(a.parts);
     if (!a.partial.empty()) writePartial(a.partial, sum.state, sum.film);
     ImageMetadata metadata = metadataOf(sum.film.settings());
+    metadata.matrices = sum.state.matrices;
     metadata.numbers["samplesPerPixel"] = double(sum.state.passes.size());
     for (const auto& output : a.outputs)
         writeImage(output, sum.film.image(), metadata);

@@ -199,16 +199,17 @@ int renderOnce(const RenderArguments& a, std::vector<std::string>* watched) {
     PartialRender state;
     state.fingerprint = scene.fingerprint;
     state.sceneName = scene.name;
+    state.matrices = scene.metadata.matrices;
     if (a.resume) resume(checkpoint, scene, film, state);
 
     ProgressReport report(progressStyle(a.progress), state.seconds);
     const double before = state.seconds;
-    std::uint64_t samples = 0;
+    SessionProgress last;
     Session session(scene.world, *scene.integrator, film, state);
     const SessionEnd end = session.run(
         options,
         [&](const SessionProgress& progress) {
-            samples = progress.samples;
+            last = progress;
             report.show(progress);
         },
         interrupted);
@@ -218,12 +219,19 @@ int renderOnce(const RenderArguments& a, std::vector<std::string>* watched) {
         fmt::print(stderr,
                    "vitrine: warning: {} samples were not finite or too large and left out, first in pixel {},{}\n",
                    film.badSamples(), bad->x, bad->y);
+    // A few come from rounding at edges.
+    if (last.lostExits * 1000 > last.samples)
+        fmt::print(
+            stderr,
+            "vitrine: warning: {} times a path lost track of the solids it was in: solids with a priority that touch "
+            "must overlap, and each must be closed\n",
+            last.lostExits);
     if (!a.partial.empty()) writePartial(a.partial, state, film);
     ImageMetadata metadata = scene.metadata;
     metadata.numbers["samplesPerPixel"] = double(state.passes.size());
     for (const auto& output : outputs)
         writeImage(output, film.image(), metadata);
-    if (!a.stats.empty()) writeStats(a.stats, scene, film, state, samples, state.seconds - before);
+    if (!a.stats.empty()) writeStats(a.stats, scene, film, state, last.samples, state.seconds - before);
     if (end != SessionEnd::Interrupted) return 0;
     if (checkpoint.empty() && a.partial.empty()) writePartial(defaultCheckpoint, state, film);
     fmt::print(stderr, "vitrine: stopped after {} passes; go on with --resume --checkpoint {}\n", state.passes.size(),

@@ -48,6 +48,8 @@ class Camera {
     virtual std::optional<CameraConnection> connect(const V3d& p, const V2f& u) const = 0;
     /// Middle of the lens, world space (the interior that the camera stands in is looked for from here).
     virtual V3d position() const = 0;
+    /// Whether rays start at position() or, on a lens, near it: then all start in the solids that lie there.
+    virtual bool startsAtPosition() const { return true; }
 };
 
 } // namespace vitrine

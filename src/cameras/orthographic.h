@@ -37,6 +37,7 @@ class OrthographicCamera final : public Camera {
     /// Without a lens the only direction: pdf 1, and we / pdf is the importance per area across the rays.
     std::optional<CameraConnection> connect(const V3d& p, const V2f& u) const override;
     V3d position() const override;
+    bool startsAtPosition() const override { return !std::holds_alternative<Parallel>(projection_); }
 
   private:
     /// Parallel rays over a rectangle.

@@ -17,7 +17,8 @@ struct PassRange {
 
 /// Counted while passes run, read by whoever shows progress.
 struct RenderCounters {
-    std::atomic<std::uint64_t> samples{0}; ///< camera samples done
+    std::atomic<std::uint64_t> samples{0};   ///< camera samples done
+    std::atomic<std::uint64_t> lostExits{0}; ///< Walk::lostExits(): solids touch, or are open
 };
 
 class Integrator {

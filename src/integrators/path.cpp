@@ -53,9 +53,16 @@ SampledSpectrum PathIntegrator::directLight(const World& world, const Walk& walk
 }
 
 SampledSpectrum PathIntegrator::radiance(const World& world, const Ray& ray, const SampledWavelengths& lambda,
-                                         SampleStream& stream) const {
-    Walk walk(world, TransportMode::Radiance, lambda, world.cameraInterior);
+                                         SampleStream& stream, std::uint64_t& lostExits) const {
+    Walk walk(world, TransportMode::Radiance, lambda,
+              world.raysStartApart ? interiorAt(world, ray.o) : world.cameraInterior);
     walk.ray = ray;
+    const SampledSpectrum result = follow(world, walk, stream);
+    lostExits += std::uint64_t(walk.lostExits());
+    return result;
+}
+
+SampledSpectrum PathIntegrator::follow(const World& world, Walk& walk, SampleStream& stream) const {
     SampledSpectrum result(0.f);
     LastBounce last;
     bool regularize = false;
@@ -115,17 +122,19 @@ void PathIntegrator::addPasses(const World& world, PassRange passes, Film& film,
     const FilmSettings& settings = film.settings();
     const auto renderPixel = [&](const V2i& pixel) {
         const WavelengthRotation wavelengths(sampler_.seed, pixel);
+        std::uint64_t lostExits = 0;
         for (std::uint64_t pass = passes.begin; pass < passes.end; ++pass) {
             SampleStream stream(sampler_, pixel, pass);
             const Filter::Sample filtered = film.filter().sample(stream.get2D());
             const V2f lens = stream.get2D();
-            const SampledWavelengths lambda = SampledWavelengths::visible(wavelengths.at(pass));
+            const SampledWavelengths lambda = SampledWavelengths::picture(wavelengths.at(pass));
             const V2d raster(pixel.x + 0.5 + filtered.p.x, pixel.y + 0.5 + filtered.p.y);
             SampledSpectrum radianceIn(0.f);
             if (const auto camera = world.camera->generate({raster, lens}))
-                radianceIn = radiance(world, camera->ray, lambda, stream) * camera->weight;
+                radianceIn = radiance(world, camera->ray, lambda, stream, lostExits) * camera->weight;
             film.add(pixel, radianceIn, lambda, filtered.weight, unsigned(pass & 1));
         }
+        if (lostExits > 0) counters.lostExits.fetch_add(lostExits, std::memory_order_relaxed);
     };
     forEachPixel(settings.cropMin, settings.cropMax, renderPixel, [&](int pixels) {
         counters.samples.fetch_add(std::uint64_t(pixels) * passes.size(), std::memory_order_relaxed);

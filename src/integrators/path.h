@@ -31,10 +31,12 @@ class PathIntegrator final : public Integrator {
 
     /// Radiance that arrives along `ray` (unit direction), as one sample. Values in secondary wavelengths stay valid
     /// with `lambda` as given, also when the path ended them on its way.
-    SampledSpectrum radiance(const World& world, const Ray& ray, const SampledWavelengths& lambda,
-                             SampleStream& stream) const;
+    /// \param lostExits raised by Walk::lostExits()
+    SampledSpectrum radiance(const World& world, const Ray& ray, const SampledWavelengths& lambda, SampleStream& stream,
+                             std::uint64_t& lostExits) const;
 
   private:
+    SampledSpectrum follow(const World& world, Walk& walk, SampleStream& stream) const;
     SampledSpectrum directLight(const World& world, const Walk& walk, const Vertex& vertex, const Bsdf& bsdf,
                                 float uLight, const V2f& u) const;
 

@@ -23,14 +23,15 @@ InteriorStack::Crossing InteriorStack::crossing(const Interior& interior, bool e
     // Without a priority the surface is pbrt's: a relative index, whatever is around.
     if (!interior.priority) return {};
     const int own = entering ? -1 : lastOf(interior);
+    if (!entering && own < 0) return {false, nullptr, true};
     const int other = strongest(own);
     if (other < 0) return {};
     const Interior* outside = entries_[std::size_t(other)];
     const int theirs = *outside->priority, ours = *interior.priority;
     // Among equals the first entered fills the overlap; one that is being entered comes last.
-    const bool otherCameFirst = own < 0 ? entering : other < own;
+    const bool otherCameFirst = entering || other < own;
     const bool overruled = theirs > ours || (theirs == ours && otherCameFirst);
-    return {!overruled, outside};
+    return {!overruled, outside, false};
 }
 
 void InteriorStack::enter(const Interior& interior) {

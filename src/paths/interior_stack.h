@@ -18,9 +18,12 @@ class InteriorStack {
     struct Crossing {
         bool isReal = true;                ///< false: a solid of higher priority is there; the surface does nothing
         const Interior* outside = nullptr; ///< what lies on the outer side; null: vacuum
+        bool isLost = false;               ///< leaving a solid with a priority that was never entered
     };
 
-    /// The surface of `interior`, met from outside (`entering`) or from inside.
+    /// The surface of `interior`, met from outside (`entering`) or from inside. A solid that is left without having been
+    /// entered does nothing: its other face coincided with that of another solid, or it is open. Refracting there would
+    /// make energy. Solids that touch must overlap, for priorities to say who is there.
     Crossing crossing(const Interior& interior, bool entering) const;
 
     void enter(const Interior& interior);

@@ -48,7 +48,11 @@ bool Walk::advance(Vertex& vertex) {
         const bool met = world_.caster->intersect(ray, vertex.hit);
         if (world_.hasAbsorption && !interior_.empty())
             beta *= transmittance(interior_.current(), met ? vertex.hit.s : infinityD, lambda_);
-        if (!met) return false;
+        if (!met) {
+            // A closed solid does not let a path escape inside it.
+            if (const Interior* solid = interior_.current()) lostExits_ += solid->priority.has_value();
+            return false;
+        }
         const SurfacePoint& point = vertex.hit.point;
         vertex.surface = &world_.surfaces[vertex.hit.id];
         vertex.wo = -toFloat(ray.d);
@@ -56,9 +60,10 @@ bool Walk::advance(Vertex& vertex) {
         const Interior* interior = interiorOf(*vertex.surface);
         const bool isInterface = !vertex.surface->material || vertex.surface->material->isInterface();
         vertex.crossing = {};
-        if (interior && interior->priority)
+        if (interior && interior->priority) {
             vertex.crossing = interior_.crossing(*interior, vertex.wo.dot(point.ng) > 0);
-        else if (!interior)
+            lostExits_ += vertex.crossing.isLost;
+        } else if (!interior)
             vertex.crossing.outside = interior_.current();
 
         vertex.scatters = !isInterface && vertex.crossing.isReal;
@@ -111,17 +116,20 @@ std::optional<Scattered> Walk::scatter(const Vertex& vertex, const Bsdf& bsdf, f
     return Scattered{wi, sample->pdf, sample->isSpecular()};
 }
 
-SampledSpectrum shadowTransmittance(const World& world, const Vertex& vertex, Ray shadow, const V3f& wi,
+SampledSpectrum shadowTransmittance(const World& world, const Vertex& vertex, const Ray& toLight, const V3f& wi,
                                     const InteriorStack& interior, const SampledWavelengths& lambda) {
     const V3d start = offsetOrigin(vertex.point(), wi);
     // A finite shadow ray ends where the light sampler said, wherever it starts.
+    Ray shadow{start, toLight.d, toLight.tMax};
     if (std::isfinite(shadow.tMax)) shadow.d += vertex.point().p - start;
-    shadow.o = start;
+    if (!world.hasNestedDielectrics && !world.hasAbsorption)
+        return SampledSpectrum(world.caster->occluded(shadow) ? 0.f : 1.f);
 
     InteriorStack solids = interior;
+    const float incoming = wi.dot(vertex.point().ng);
     const Interior* own = interiorOf(*vertex.surface);
-    if (own && wi.dot(vertex.point().ng) * vertex.wo.dot(vertex.point().ng) < 0) {
-        if (wi.dot(vertex.point().ng) < 0)
+    if (own && incoming * vertex.wo.dot(vertex.point().ng) < 0) {
+        if (incoming < 0)
             solids.enter(*own);
         else
             solids.leave(*own);
@@ -129,7 +137,7 @@ SampledSpectrum shadowTransmittance(const World& world, const Vertex& vertex, Ra
     const double length = shadow.d.length();
     if (!world.hasNestedDielectrics) {
         if (world.caster->occluded(shadow)) return SampledSpectrum(0.f);
-        return solids.empty() ? SampledSpectrum(1.f) : transmittance(solids.current(), shadow.tMax * length, lambda);
+        return transmittance(solids.current(), shadow.tMax * length, lambda);
     }
 
     SampledSpectrum result(1.f);

@@ -39,6 +39,9 @@ class Walk {
 
     const SampledWavelengths& lambda() const { return lambda_; }
     const InteriorStack& interior() const { return interior_; }
+    /// Solids with a priority that were left without having been entered (InteriorStack::Crossing::isLost), or that the path
+    /// escaped in.
+    int lostExits() const { return lostExits_; }
 
     /// Goes on along `ray` to the next surface that scatters or shines, passing interface materials and overruled
     /// surfaces, and loses what the solids on the way absorb. False: the path escapes along `ray`.
@@ -60,6 +63,7 @@ class Walk {
     TransportMode mode_;
     SampledWavelengths lambda_;
     InteriorStack interior_;
+    int lostExits_ = 0;
 };
 
 /// Veach 1997, eq. 5.19: what importance is to be multiplied by where shading and geometric normal differ.
@@ -68,8 +72,8 @@ float shadingNormalCorrection(const SurfacePoint& point, const V3f& wo, const V3
 /// exp(-absorption distance); 1 in vacuum and in clear solids.
 SampledSpectrum transmittance(const Interior* interior, double distance, const SampledWavelengths& lambda);
 
-/// Transmittance of the shadow ray from a vertex (its `o` is set here): 0 where something blocks.
-SampledSpectrum shadowTransmittance(const World& world, const Vertex& vertex, Ray shadow, const V3f& wi,
+/// Transmittance of LightSample::shadow from a vertex: 0 where something blocks.
+SampledSpectrum shadowTransmittance(const World& world, const Vertex& vertex, const Ray& toLight, const V3f& wi,
                                     const InteriorStack& interior, const SampledWavelengths& lambda);
 
 } // namespace vitrine

@@ -15,18 +15,16 @@ void World::prepare() {
         hasNestedDielectrics |= interior->priority.has_value();
         hasAbsorption |= interior->absorption != nullptr;
     }
-    if (hasInteriors && camera) cameraInterior = interiorAt(*this, camera->position());
+    if (!hasInteriors || !camera) return;
+    cameraInterior = interiorAt(*this, camera->position());
+    raysStartApart = !camera->startsAtPosition() && (hasNestedDielectrics || hasAbsorption);
 }
 
-InteriorStack interiorAt(const World& world, const V3d& p) {
-    InteriorStack stack;
-    const Box3d box = world.caster->bounds();
-    if (box.isEmpty() || !box.intersects(p)) return stack;
+namespace {
 
-    // Any direction serves for closed solids; one that no modeller aligns things with avoids edges and tangents.
-    const V3d direction = V3d(0.36174, 0.75312, 0.54947).normalized();
-    const double far = 2 * box.size().length();
-    Ray ray{p + direction * far, -direction, far};
+/// The solids that a ray leaves without having entered them: those around its origin, nearest exit first.
+std::vector<const Interior*> leftAlong(const World& world, Ray ray) {
+    std::vector<const Interior*> entered, left;
     constexpr int maxSurfaces = 10000;
     for (int i = 0; i < maxSurfaces; ++i) {
         CasterHit hit;
@@ -34,16 +32,32 @@ InteriorStack interiorAt(const World& world, const V3d& p) {
         const V3f d = toFloat(ray.d);
         const auto& material = world.surfaces[hit.id].material;
         if (const Interior* interior = material ? material->interior() : nullptr) {
+            const auto open = std::find(entered.rbegin(), entered.rend(), interior);
             if (hit.point.ng.dot(d) < 0)
-                stack.enter(*interior);
+                entered.push_back(interior);
+            else if (open != entered.rend())
+                entered.erase(std::next(open).base());
             else
-                stack.leave(*interior);
+                left.push_back(interior);
         }
-        const V3d next = offsetOrigin(hit.point, d);
-        const double left = (p - next).dot(ray.d);
-        if (left <= 0) break;
-        ray = Ray{next, ray.d, left};
+        ray.o = offsetOrigin(hit.point, d);
     }
+    return left;
+}
+
+} // namespace
+
+InteriorStack interiorAt(const World& world, const V3d& p) {
+    // Any direction serves for closed solids; one that no modeller aligns things with avoids edges and tangents. The
+    // solid below an infinite plane is left in one of two opposite directions only.
+    const V3d direction = V3d(0.36174, 0.75312, 0.54947).normalized();
+    std::vector<const Interior*> around = leftAlong(world, Ray{p, direction});
+    for (const Interior* other : leftAlong(world, Ray{p, -direction}))
+        if (std::find(around.begin(), around.end(), other) == around.end()) around.push_back(other);
+    // What is left last was entered first.
+    InteriorStack stack;
+    for (auto it = around.rbegin(); it != around.rend(); ++it)
+        stack.enter(**it);
     return stack;
 }
 

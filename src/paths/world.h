@@ -29,12 +29,14 @@ struct World {
     bool hasNestedDielectrics = false;
     /// Whether any solid absorbs: then shadow rays inside solids are attenuated.
     bool hasAbsorption = false;
+    /// Camera rays start far apart, so that each may start in other solids: they are looked for ray by ray.
+    bool raysStartApart = false;
 
     /// Fills the derived members from the others: infinite lights, flags, the camera's interior.
     void prepare();
 };
 
-/// The solids around a point, found by following a ray from far outside to it: solids entered less solids left.
+/// The solids around a point: those that rays from it leave without having entered them.
 InteriorStack interiorAt(const World& world, const V3d& p);
 
 } // namespace vitrine

@@ -181,6 +181,11 @@ void writePartial(const std::string& path, const PartialRender& state, const Fil
     w.value(std::uint64_t(state.passes.ranges().size()));
     for (const auto& r : state.passes.ranges())
         w.value(r);
+    w.value(std::uint64_t(state.matrices.size()));
+    for (const auto& [name, matrix] : state.matrices) {
+        w.text(name);
+        w.bytes(matrix.getValue(), 16 * sizeof(double));
+    }
     writeFilmSettings(w, film.settings());
     const auto sums = std::as_bytes(film.sums());
     const std::uint64_t checksum = w.checksumWith(sums);
@@ -206,6 +211,12 @@ LoadedPartial readPartial(const std::string& path) {
         } catch (const std::invalid_argument&) {
             throw FileError(path, "the file is damaged");
         }
+    }
+    const auto matrices = r.value<std::uint64_t>();
+    if (matrices > 16) throw FileError(path, "the file is damaged");
+    for (std::uint64_t i = 0; i < matrices; ++i) {
+        const std::string name = r.text();
+        r.bytes(state.matrices[name].getValue(), 16 * sizeof(double));
     }
     try {
         const FilmSettings settings = readFilmSettings(r, path);

@@ -31,7 +31,8 @@ struct PartialRender {
     std::uint64_t fingerprint = 0; ///< of the scene, its files and all settings that change the picture
     std::string sceneName;
     PassSet passes;
-    double seconds = 0; ///< render time spent so far
+    double seconds = 0;                   ///< render time spent so far
+    std::map<std::string, M44d> matrices; ///< ImageMetadata::matrices of the picture
 };
 
 /// Writes state and the film's sums beside `path`, then renames: a kill never leaves half a file. \throws FileError

@@ -79,6 +79,7 @@ SessionEnd Session::run(const SessionOptions& options, const std::function<void(
         if (options.timeLimit > 0) p.fraction = std::max(p.fraction, seconds / options.timeLimit);
         p.fraction = std::min(p.fraction, 0.9999);
         p.passesDone = std::uint64_t(already + double(p.samples) / pixels);
+        p.lostExits = counters.lostExits.load(std::memory_order_relaxed);
         p.error = error.load();
         return p;
     };

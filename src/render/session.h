@@ -23,7 +23,8 @@ struct SessionProgress {
     double seconds = 0;        ///< rendering time, earlier sessions included
     std::uint64_t samples = 0; ///< camera samples this session
     std::uint64_t passesDone = 0;
-    double error = infinityD; ///< estimated relMSE; infinite while unknown or not asked for
+    std::uint64_t lostExits = 0; ///< RenderCounters::lostExits, this session
+    double error = infinityD;    ///< estimated relMSE; infinite while unknown or not asked for
 };
 
 enum class SessionEnd { Done, TimeLimit, ErrorLimit, Interrupted };

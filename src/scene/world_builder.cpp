@@ -132,9 +132,10 @@ class WorldBuilder {
         for (const auto& shape : shapes)
             if (shape->kind() == GeometryKind::User && !shape->isClosed())
                 context_.diagnostics().warning(
-                    node.place, fmt::format("this {} is not closed: its dielectric needs other shapes of the same "
-                                            "material to bound a solid",
-                                            node.type));
+                    node.place,
+                    fmt::format("the normals of this {} do not point out of a closed solid (it is open, reversed or "
+                                "mirrored): its dielectric needs other shapes of the same material to bound one",
+                                node.type));
     }
 
     void placeLights() {

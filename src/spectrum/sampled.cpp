@@ -1,5 +1,9 @@
 #include "spectrum/sampled.h"
 
+#include "spectrum/spectrum.h"
+
+#include <array>
+
 namespace vitrine {
 
 namespace {
@@ -35,6 +39,69 @@ SampledWavelengths SampledWavelengths::visible(float u) {
     SampledWavelengths result;
     result.lambda_ = SampledSpectrum(clampToRange(lambda));
     result.pdf_ = SampledSpectrum((0.0072f / tRange) * (1 - t * t));
+    return result;
+}
+
+namespace {
+
+/// The density of SampledWavelengths::picture, constant over each nanometre, with the inverse of its distribution.
+class PictureDensity {
+  public:
+    PictureDensity() {
+        // Rows of the matrix from XYZ to linear sRGB (IEC 61966-2-1).
+        constexpr double toRgb[3][3] = {{3.2404542, -1.5371385, -0.4985314},
+                                        {-0.9692660, 1.8760108, 0.0415560},
+                                        {0.0556434, -0.2040259, 1.0572252}};
+        std::array<double, bins> lengths;
+        double sum = 0;
+        for (int k = 0; k < bins; ++k) {
+            const float lambda = lambdaMin + float(k) + 0.5f;
+            const double xyz[3] = {cieX()(lambda), cieY()(lambda), cieZ()(lambda)};
+            double length2 = 0;
+            for (const auto& row : toRgb)
+                length2 += sqr(row[0] * xyz[0] + row[1] * xyz[1] + row[2] * xyz[2]);
+            sum += lengths[std::size_t(k)] = std::sqrt(length2);
+        }
+        constexpr double uniformPart = 0.25;
+        double cdf = 0;
+        for (std::size_t k = 0; k < bins; ++k) {
+            first_[k] = float(cdf);
+            pdf_[k] = float((1 - uniformPart) * lengths[k] / sum + uniformPart / bins);
+            cdf += pdf_[k];
+        }
+        for (std::size_t i = 0, k = 0; i < guides; ++i) {
+            while (k + 1 < bins && first_[k + 1] <= float(i) / guides)
+                ++k;
+            guide_[i] = std::uint16_t(k);
+        }
+    }
+
+    void sample(float u, float& lambda, float& pdf) const {
+        std::size_t k = guide_[std::min(std::size_t(u * guides), std::size_t(guides - 1))];
+        while (k + 1 < bins && first_[k + 1] <= u)
+            ++k;
+        pdf = pdf_[k];
+        lambda = lambdaMin + float(k) + std::min((u - first_[k]) / pdf, 1.f);
+    }
+
+  private:
+    static constexpr int bins = 470, guides = 1024;
+    std::array<float, bins> first_, pdf_;     ///< distribution at the bin's beginning, density per nm
+    std::array<std::uint16_t, guides> guide_; ///< the bin in which u = i / guides lies
+};
+
+} // namespace
+
+SampledWavelengths SampledWavelengths::picture(float u) {
+    static const PictureDensity density;
+    const Lanes strata = stratify(u);
+    SampledWavelengths result;
+    for (int i = 0; i < spectrumSamples; ++i) {
+        float lambda, pdf;
+        density.sample(strata[i], lambda, pdf);
+        result.lambda_.set(i, lambda);
+        result.pdf_.set(i, pdf);
+    }
     return result;
 }
 

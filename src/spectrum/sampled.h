@@ -66,6 +66,10 @@ class SampledWavelengths {
     /// Stratified, importance sampled for the eye: density proportional to 1/cosh^2(0.0072 (lambda - 538)) on
     /// [360, 830] (Radziszewski et al. 2009, as pbrt-v4). \param u uniform in [0,1)
     static SampledWavelengths visible(float u);
+    /// Stratified, importance sampled for pictures in linear sRGB: the density is three parts of the length of the
+    /// vector of sRGB's colour matching functions and one part uniform on [360, 830]. Four strata of it show a third of
+    /// the colour noise of visible(), and a hero alone three quarters (docs/decisions.md). \param u uniform in [0,1)
+    static SampledWavelengths picture(float u);
     /// Uniform on [360, 830], stratified.
     static SampledWavelengths uniform(float u);
 

@@ -94,6 +94,9 @@ TEST(InteriorStack, LeavingWhatWasNeverEnteredChangesNothing) {
     stack.enter(glass);
     stack.leave(other);
     EXPECT_EQ(stack.current(), &glass);
+    EXPECT_FALSE(stack.crossing(glass, false).isLost);
+    EXPECT_TRUE(stack.crossing(other, false).isLost);
+    EXPECT_FALSE(stack.crossing(other, false).isReal);
 }
 
 TEST(InteriorStack, ForgetsTheOldestWhenFull) {

@@ -1,5 +1,6 @@
 #include "core/random.h"
 #include "spectrum/sampled.h"
+#include "spectrum/spectrum.h"
 
 namespace vitrine {
 namespace {
@@ -29,6 +30,46 @@ TEST(SampledWavelengths, VisibleInvertTheDistribution) {
         const float u = std::min(float(i) / 1000, justBelowOne);
         const double lambda = double(SampledWavelengths::visible(u)[0]);
         ASSERT_NEAR((std::tanh(0.0072 * (lambda - 538)) - first) / (last - first), double(u), 2e-6);
+    }
+}
+
+TEST(SampledWavelengths, PictureAscendWithU) {
+    constexpr int steps = 1 << 14;
+    double last = double(lambdaMin);
+    for (int i = 0; i < steps; ++i) {
+        const auto w = SampledWavelengths::picture(float(i) / steps);
+        ASSERT_GE(double(w[0]), last);
+        ASSERT_LE(w[0], lambdaMax);
+        // Within a nanometre d lambda / d u is 1 / pdf, as far as single precision tells wavelengths apart (3e-5 nm).
+        if (i > 0 && std::floor(double(w[0])) == std::floor(last)) {
+            const double step = 1 / (double(steps) * double(w.pdf()[0]));
+            ASSERT_NEAR(double(w[0]) - last, step, 2e-4) << w[0] << " nm";
+        }
+        last = double(w[0]);
+    }
+    EXPECT_NEAR(SampledWavelengths::picture(justBelowOne)[0], lambdaMax, 1e-2);
+    EXPECT_EQ(SampledWavelengths::picture(0)[0], lambdaMin);
+}
+
+TEST(SampledWavelengths, PictureEstimateIntegralsWithoutBias) {
+    for (const DenseSpectrum* f : {&cieX(), &cieY(), &cieZ()}) {
+        double estimate = 0, squares = 0, visibleSquares = 0;
+        constexpr int n = 1 << 14;
+        const auto once = [&](const SampledWavelengths& w) {
+            return double((f->sample(w) / w.pdf()).average()) / innerProduct(*f, ConstantSpectrum(1));
+        };
+        for (int i = 0; i < n; ++i) {
+            const float u = (float(i) + 0.5f) / n;
+            const double value = once(SampledWavelengths::picture(u)), visible = once(SampledWavelengths::visible(u));
+            estimate += value / n;
+            squares += value * value / n;
+            visibleSquares += visible * visible / n;
+        }
+        EXPECT_NEAR(estimate, 1, 1e-3);
+        // The noise of the most noisy of the three, Z, is what it was made for.
+        if (f == &cieZ()) {
+            EXPECT_LT(squares - 1, 0.35 * (visibleSquares - 1));
+        }
     }
 }
 
