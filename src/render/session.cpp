@@ -103,8 +103,9 @@ SessionEnd Session::run(const SessionOptions& options, const std::function<void(
             std::optional<SessionEnd> reason;
             for (std::uint64_t at = range.begin; at < range.end;) {
                 if (doneHere > 0 && (reason = stopReason())) break;
-                const std::uint64_t n =
-                    std::min(chunkSize(doneHere, secondsSince(start), options.timeLimit), range.end - at);
+                std::uint64_t n = std::min(chunkSize(doneHere, secondsSince(start), options.timeLimit), range.end - at);
+                // The error is looked at between chunks: never more than as many passes again without a look.
+                if (options.errorLimit > 0) n = std::min(n, std::max<std::uint64_t>(1, doneHere));
                 arena.execute([&] { integrator_.addPasses(world_, {at, at + n}, film_, counters); });
                 state_.passes.add({at, at + n});
                 state_.seconds = earlier + secondsSince(start);

@@ -87,8 +87,8 @@ TEST_F(Info, WarnsOfOpenGlass) {
     const ProgramResult result = run({"info", "scene.pbrt"});
     EXPECT_EQ(result.exitCode, 0);
     EXPECT_EQ(result.err,
-              "scene.pbrt:3:1: warning: this cylinder is not closed: its dielectric needs other shapes of the "
-              "same material to bound a solid\n    Shape \"cylinder\"\n    ^^^^^\n");
+              "scene.pbrt:3:1: warning: the normals of this cylinder do not point out of a closed solid (it is open, "
+              "reversed or mirrored): its dielectric needs other shapes of the same material to bound one\n    Shape \"cylinder\"\n    ^^^^^\n");
 }
 
 TEST_F(Info, OfTheShippedScenes) {
