@@ -88,7 +88,8 @@ TEST_F(Info, WarnsOfOpenGlass) {
     EXPECT_EQ(result.exitCode, 0);
     EXPECT_EQ(result.err,
               "scene.pbrt:3:1: warning: the normals of this cylinder do not point out of a closed solid (it is open, "
-              "reversed or mirrored): its dielectric needs other shapes of the same material to bound one\n    Shape \"cylinder\"\n    ^^^^^\n");
+              "reversed or mirrored): its dielectric needs other shapes of the same material to bound one\n    Shape "
+              "\"cylinder\"\n    ^^^^^\n");
 }
 
 TEST_F(Info, OfTheShippedScenes) {
