@@ -30,6 +30,14 @@ class InteriorStack {
     /// Leaving what was never entered (an open surface, a camera in glass) is no fault.
     void leave(const Interior& interior);
 
+    /// Goes through the surface of `interior`: in or out.
+    void cross(const Interior& interior, bool entering) {
+        if (entering)
+            enter(interior);
+        else
+            leave(interior);
+    }
+
     /// What fills the space here; null: vacuum.
     const Interior* current() const;
     bool empty() const { return size_ == 0; }

@@ -34,12 +34,8 @@ void Walk::keepHero() {
 
 void Walk::passThrough(const Vertex& vertex) {
     const V3f d = -vertex.wo;
-    if (const Interior* interior = interiorOf(*vertex.surface)) {
-        if (d.dot(vertex.point().ng) < 0)
-            interior_.enter(*interior);
-        else
-            interior_.leave(*interior);
-    }
+    if (const Interior* interior = interiorOf(*vertex.surface))
+        interior_.cross(*interior, d.dot(vertex.point().ng) < 0);
     ray = Ray{offsetOrigin(vertex.point(), d), ray.d, ray.tMax - vertex.hit.s};
 }
 
@@ -101,12 +97,7 @@ std::optional<Scattered> Walk::scatter(const Vertex& vertex, const Bsdf& bsdf, f
         // Where the shading normal tilts a refraction back to its own side, or a reflection through the surface, the
         // path would be in a solid that it never entered.
         if (sample->isTransmission() != (outgoing * incoming < 0)) return {};
-        if (sample->isTransmission()) {
-            if (incoming < 0)
-                interior_.enter(*interior);
-            else
-                interior_.leave(*interior);
-        }
+        if (sample->isTransmission()) interior_.cross(*interior, incoming < 0);
     }
     beta *= sample->f * (std::abs(sample->wi.z) / sample->pdf);
     if (mode_ == TransportMode::Importance) beta *= shadingNormalCorrection(point, vertex.wo, wi);
@@ -128,12 +119,7 @@ SampledSpectrum shadowTransmittance(const World& world, const Vertex& vertex, co
     InteriorStack solids = interior;
     const float incoming = wi.dot(vertex.point().ng);
     const Interior* own = interiorOf(*vertex.surface);
-    if (own && incoming * vertex.wo.dot(vertex.point().ng) < 0) {
-        if (incoming < 0)
-            solids.enter(*own);
-        else
-            solids.leave(*own);
-    }
+    if (own && incoming * vertex.wo.dot(vertex.point().ng) < 0) solids.cross(*own, incoming < 0);
     const double length = shadow.d.length();
     if (!world.hasNestedDielectrics) {
         if (world.caster->occluded(shadow)) return SampledSpectrum(0.f);
@@ -152,12 +138,7 @@ SampledSpectrum shadowTransmittance(const World& world, const Vertex& vertex, co
         const bool entering = wi.dot(hit.point.ng) < 0;
         const bool overruled = solid && !solids.crossing(*solid, entering).isReal;
         if (!isInterface && !overruled) break;
-        if (solid) {
-            if (entering)
-                solids.enter(*solid);
-            else
-                solids.leave(*solid);
-        }
+        if (solid) solids.cross(*solid, entering);
         shadow.o = offsetOrigin(hit.point, wi);
         shadow.tMax -= hit.s;
     }
