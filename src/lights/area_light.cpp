@@ -1,3 +1,5 @@
+#include "core/frame.h"
+#include "core/sampling.h"
 #include "lights/emission.h"
 #include "lights/light.h"
 
@@ -28,6 +30,23 @@ std::optional<LightSample> AreaLight::sample(const V3d& p, const V2f& u, const S
     sample->pdf = onShape->pdf;
     sample->shadow = shadowTo(offsetOrigin(onShape->point, -wi), p);
     return sample;
+}
+
+std::optional<LightEmission> AreaLight::emit(const V2f& uPosition, const V2f& uDirection,
+                                             const SampledWavelengths& lambda) const {
+    const auto onShape = shape_->sample(uPosition);
+    if (!onShape || !(onShape->pdf > 0)) return {};
+    // Two sides: half of the first number picks one, what is left of it is as good as new.
+    const bool back = twoSided_ && uDirection.x >= 0.5f;
+    const V2f u(twoSided_ ? 2 * uDirection.x - (back ? 1 : 0) : uDirection.x, uDirection.y);
+    const V3f local = sampleCosineHemisphere(u);
+    if (!(local.z > 0)) return {};
+    const SurfacePoint& point = onShape->point;
+    const V3f w = Frame(back ? -point.ng : point.ng).toWorld(local);
+    const SampledSpectrum l = l_->sample(lambda);
+    if (l.isBlack()) return {};
+    return LightEmission{Ray{offsetOrigin(point, w), toDouble(w), infinityD},
+                         l * (pi * (twoSided_ ? 2 : 1) / onShape->pdf)};
 }
 
 } // namespace vitrine

@@ -11,7 +11,7 @@ std::shared_ptr<ConstantInfiniteLight> ConstantInfiniteLight::create(const Param
 }
 
 SampledSpectrum ConstantInfiniteLight::power(const SampledWavelengths& lambda) const {
-    return l_->sample(lambda) * float(4 * piD * piD * sqr(sceneRadius_));
+    return l_->sample(lambda) * float(4 * piD * scene_.crossSection());
 }
 
 std::optional<LightSample> ConstantInfiniteLight::sample(const V3d&, const V2f& u,
@@ -23,6 +23,13 @@ std::optional<LightSample> ConstantInfiniteLight::sample(const V3d&, const V2f& 
     sample.pdf = invPi / 4;
     sample.shadow = Ray{V3d(0, 0, 0), toDouble(sample.wi), infinityD};
     return sample;
+}
+
+std::optional<LightEmission> ConstantInfiniteLight::emit(const V2f& uPosition, const V2f& uDirection,
+                                                         const SampledWavelengths& lambda) const {
+    const SampledSpectrum all = power(lambda);
+    if (all.isBlack()) return {};
+    return LightEmission{scene_.beam(sampleUniformSphere(uDirection), uPosition), all};
 }
 
 } // namespace vitrine

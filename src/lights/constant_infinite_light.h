@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lights/light.h"
+#include "lights/scene_sphere.h"
 
 namespace vitrine {
 
@@ -29,14 +30,16 @@ class ConstantInfiniteLight final : public Light {
     /// What falls on the scene's bounding sphere.
     SampledSpectrum power(const SampledWavelengths& lambda) const override;
     std::optional<LightSample> sample(const V3d& p, const V2f& u, const SampledWavelengths& lambda) const override;
+    std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection,
+                                      const SampledWavelengths& lambda) const override;
     SampledSpectrum escaped(const V3f&, const SampledWavelengths& lambda) const override { return l_->sample(lambda); }
     float pdf(const V3f&) const override { return invPi / 4; }
     bool isInfinite() const override { return true; }
-    void preprocess(const V3d&, double radius) override { sceneRadius_ = radius; }
+    void preprocess(const V3d& center, double radius) override { scene_ = {center, radius}; }
 
   private:
     SpectrumPtr l_;
-    double sceneRadius_ = 0;
+    SceneSphere scene_;
 };
 
 } // namespace vitrine

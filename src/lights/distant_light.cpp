@@ -14,7 +14,7 @@ std::shared_ptr<DistantLight> DistantLight::create(const Transform& worldFromLig
 }
 
 SampledSpectrum DistantLight::power(const SampledWavelengths& lambda) const {
-    return irradiance_->sample(lambda) * float(piD * sqr(sceneRadius_));
+    return irradiance_->sample(lambda) * float(scene_.crossSection());
 }
 
 std::optional<LightSample> DistantLight::sample(const V3d&, const V2f&, const SampledWavelengths& lambda) const {
@@ -26,6 +26,13 @@ std::optional<LightSample> DistantLight::sample(const V3d&, const V2f&, const Sa
     sample.pdf = 1;
     sample.isDelta = true;
     return sample;
+}
+
+std::optional<LightEmission> DistantLight::emit(const V2f& uPosition, const V2f&,
+                                                const SampledWavelengths& lambda) const {
+    const SampledSpectrum all = power(lambda);
+    if (all.isBlack()) return {};
+    return LightEmission{scene_.beam(toFloat(-wi_), uPosition), all};
 }
 
 } // namespace vitrine

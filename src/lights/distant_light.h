@@ -3,6 +3,7 @@
 
 #include "core/transform.h"
 #include "lights/light.h"
+#include "lights/scene_sphere.h"
 
 namespace vitrine {
 
@@ -33,13 +34,15 @@ class DistantLight final : public Light {
     /// What falls on the disk of the scene's bounding sphere.
     SampledSpectrum power(const SampledWavelengths& lambda) const override;
     std::optional<LightSample> sample(const V3d& p, const V2f& u, const SampledWavelengths& lambda) const override;
+    std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection,
+                                      const SampledWavelengths& lambda) const override;
     bool isDelta() const override { return true; }
-    void preprocess(const V3d&, double radius) override { sceneRadius_ = radius; }
+    void preprocess(const V3d& center, double radius) override { scene_ = {center, radius}; }
 
   private:
     V3d wi_;
     SpectrumPtr irradiance_;
-    double sceneRadius_ = 0;
+    SceneSphere scene_;
 };
 
 } // namespace vitrine

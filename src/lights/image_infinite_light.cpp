@@ -52,7 +52,7 @@ ImageInfiniteLight::ImageInfiniteLight(const Transform& worldFromLight, Environm
 }
 
 SampledSpectrum ImageInfiniteLight::power(const SampledWavelengths& lambda) const {
-    return image_.mean().sample(lambda) * float(4 * piD * piD * sqr(sceneRadius_) * scale_);
+    return image_.mean().sample(lambda) * float(4 * piD * scene_.crossSection() * scale_);
 }
 
 float ImageInfiniteLight::pdfOfSquare(const V2f& square) const {
@@ -73,6 +73,14 @@ std::optional<LightSample> ImageInfiniteLight::sample(const V3d&, const V2f& u,
     if (!(sample.pdf > 0) || sample.l.isBlack()) return {};
     sample.shadow = Ray{V3d(0, 0, 0), toDouble(sample.wi), infinityD};
     return sample;
+}
+
+std::optional<LightEmission> ImageInfiniteLight::emit(const V2f& uPosition, const V2f& uDirection,
+                                                      const SampledWavelengths& lambda) const {
+    const auto towards = sample(scene_.center, uDirection, lambda);
+    if (!towards) return {};
+    return LightEmission{scene_.beam(-towards->wi, uPosition),
+                         towards->l * float(scene_.crossSection() / towards->pdf)};
 }
 
 SampledSpectrum ImageInfiniteLight::escaped(const V3f& w, const SampledWavelengths& lambda) const {

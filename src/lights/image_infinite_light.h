@@ -5,6 +5,7 @@
 #include "core/transform.h"
 #include "lights/environment_image.h"
 #include "lights/light.h"
+#include "lights/scene_sphere.h"
 
 namespace vitrine {
 
@@ -42,10 +43,12 @@ class ImageInfiniteLight final : public Light {
     /// What falls on the scene's bounding sphere, by the spectrum of the image's mean colour.
     SampledSpectrum power(const SampledWavelengths& lambda) const override;
     std::optional<LightSample> sample(const V3d& p, const V2f& u, const SampledWavelengths& lambda) const override;
+    std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection,
+                                      const SampledWavelengths& lambda) const override;
     SampledSpectrum escaped(const V3f& w, const SampledWavelengths& lambda) const override;
     float pdf(const V3f& w) const override;
     bool isInfinite() const override { return true; }
-    void preprocess(const V3d&, double radius) override { sceneRadius_ = radius; }
+    void preprocess(const V3d& center, double radius) override { scene_ = {center, radius}; }
 
   private:
     V2f squareFromWorld(const V3f& w) const {
@@ -57,7 +60,7 @@ class ImageInfiniteLight final : public Light {
     float scale_;
     V3f x_, y_, z_; ///< the light's axes in the world
     PiecewiseConstant2D density_;
-    double sceneRadius_ = 0;
+    SceneSphere scene_;
 };
 
 } // namespace vitrine

@@ -25,6 +25,12 @@ inline Ray shadowTo(const V3d& target, const V3d& p) {
     return Ray{V3d(0, 0, 0), target - p, 1 - 1e-6};
 }
 
+/// A ray as it leaves a light: where paths of photons begin.
+struct LightEmission {
+    Ray ray;               ///< unit direction; starts off a shining surface by its error
+    SampledSpectrum power; ///< radiance times cosine over density: what all rays carry if each is like this one
+};
+
 class Light {
   public:
     virtual ~Light() = default;
@@ -32,6 +38,11 @@ class Light {
     virtual SampledSpectrum power(const SampledWavelengths& lambda) const = 0;
     /// A direction from `p`, chosen by what arrives. Empty when nothing does.
     virtual std::optional<LightSample> sample(const V3d& p, const V2f& u, const SampledWavelengths& lambda) const = 0;
+    /// A ray of what the light emits (from lights at infinity: into the scene's bounding sphere), chosen by what it carries.
+    /// The expectation of its power is power(), save where that is an estimate. Empty when nothing is emitted there, and
+    /// always for shapes of infinite area.
+    virtual std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection,
+                                              const SampledWavelengths& lambda) const = 0;
     virtual bool isDelta() const { return false; }
 
     /// Radiance that escaping rays of direction w meet; lights at infinity only.
@@ -75,6 +86,8 @@ class AreaLight final : public Light {
 
     SampledSpectrum power(const SampledWavelengths& lambda) const override;
     std::optional<LightSample> sample(const V3d& p, const V2f& u, const SampledWavelengths& lambda) const override;
+    std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection,
+                                      const SampledWavelengths& lambda) const override;
     /// Radiance leaving `point` towards w.
     SampledSpectrum emitted(const SurfacePoint& point, const V3f& w, const SampledWavelengths& lambda) const {
         return twoSided_ || w.dot(point.ng) > 0 ? l_->sample(lambda) : SampledSpectrum(0);

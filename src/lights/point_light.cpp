@@ -1,5 +1,6 @@
 #include "lights/point_light.h"
 
+#include "core/sampling.h"
 #include "lights/emission.h"
 
 namespace vitrine {
@@ -24,6 +25,13 @@ std::optional<LightSample> PointLight::sample(const V3d& p, const V2f&, const Sa
     sample.pdf = 1;
     sample.isDelta = true;
     return sample;
+}
+
+std::optional<LightEmission> PointLight::emit(const V2f&, const V2f& uDirection,
+                                              const SampledWavelengths& lambda) const {
+    const SampledSpectrum all = power(lambda);
+    if (all.isBlack()) return {};
+    return LightEmission{Ray{position_, toDouble(sampleUniformSphere(uDirection)), infinityD}, all};
 }
 
 } // namespace vitrine

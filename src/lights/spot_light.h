@@ -40,6 +40,8 @@ class SpotLight final : public Light {
 
     SampledSpectrum power(const SampledWavelengths& lambda) const override;
     std::optional<LightSample> sample(const V3d& p, const V2f& u, const SampledWavelengths& lambda) const override;
+    std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection,
+                                      const SampledWavelengths& lambda) const override;
     bool isDelta() const override { return true; }
 
   private:
@@ -47,6 +49,8 @@ class SpotLight final : public Light {
     double falloff(double cosTheta) const;
     /// Its integral over the sphere: the mean of a smoothstep in the cosine is one half.
     double solidAngle() const;
+    /// Cosine from the axis with density in proportion to the falloff.
+    double sampleCosine(double u) const;
 
     Transform spotFromWorld_;
     V3d position_;
