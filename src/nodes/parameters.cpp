@@ -298,6 +298,18 @@ bool ParameterSet::remove(std::string_view name) {
     return std::erase_if(own_, [&](const Entry& entry) { return entry.parameter->name == name; }) > 0;
 }
 
+ParameterList ParameterSet::own() const {
+    ParameterList result;
+    for (const auto& entry : own_)
+        result.push_back(entry.parameter);
+    return result;
+}
+
+const ParameterList& ParameterSet::defaults() const {
+    static const ParameterList none;
+    return defaults_ ? *defaults_ : none;
+}
+
 std::vector<std::string> ParameterSet::names() const {
     std::vector<std::string> names;
     for (const auto& entry : own_)

@@ -169,6 +169,10 @@ class ParameterSet {
     bool wasRead(std::string_view name) const;
     /// Drops an own parameter; false when there is none. (`--integrator` keeps what the new type knows.)
     bool remove(std::string_view name);
+    /// The own parameters, in the order written.
+    ParameterList own() const;
+    /// Those of the Attribute directive, newest first; empty for none.
+    const ParameterList& defaults() const;
     /// Names of the own parameters, in the order written.
     std::vector<std::string> names() const;
     /// Every name that was looked up so far.
