@@ -8,89 +8,83 @@ namespace vitrine {
 
 namespace {
 
-std::vector<V2d> differences(const std::vector<V2d>& c) {
-    if (c.size() < 2) return {V2d(0, 0)};
-    std::vector<V2d> result(c.size() - 1);
-    for (std::size_t i = 0; i < result.size(); ++i)
-        result[i] = (c[i + 1] - c[i]) * double(result.size());
-    return result;
-}
-
-std::vector<V2d> scaledByBinomials(std::vector<V2d> c) {
-    for (std::size_t i = 0; i < c.size(); ++i)
-        c[i] *= bernstein::binomial(int(c.size()) - 1, int(i));
-    return c;
-}
-
-V2d hornerBernstein(const std::vector<V2d>& scaled, double t) {
-    const std::size_t n = scaled.size() - 1;
-    const double u = 1 - t;
-    double power = 1;
-    V2d sum(0, 0);
-    if (t <= 0.5) {
-        const double z = t / u;
-        sum = scaled[n];
-        for (std::size_t k = n; k-- > 0; power *= u)
-            sum = sum * z + scaled[k];
-    } else {
-        const double z = u / t;
-        sum = scaled[0];
-        for (std::size_t k = 1; k <= n; ++k, power *= t)
-            sum = sum * z + scaled[k];
-    }
-    return sum * power;
-}
-
-} // namespace
-
-BezierCurve::BezierCurve(std::vector<V2d> points) : points_(std::move(points)) {
-    if (points_.size() < 2 || points_.size() > std::size_t(maxDegree) + 1)
+std::vector<V2d> checked(std::vector<V2d> points) {
+    if (points.size() < 2 || points.size() > std::size_t(BezierCurve::maxDegree) + 1)
         throw std::invalid_argument("a Bezier curve needs 2 to 61 control points, not " +
-                                    std::to_string(points_.size()));
-    for (const V2d& p : points_)
+                                    std::to_string(points.size()));
+    for (const V2d& p : points)
         if (!std::isfinite(p.x) || !std::isfinite(p.y)) throw std::invalid_argument("a control point is not finite");
-    const std::vector<V2d> d1 = differences(points_);
-    scaled_ = scaledByBinomials(points_);
-    scaledD1_ = scaledByBinomials(d1);
-    scaledD2_ = scaledByBinomials(differences(d1));
+    return points;
 }
 
-V2d BezierCurve::point(double t) const {
-    return hornerBernstein(scaled_, t);
-}
-
-CurvePoint BezierCurve::evaluate(double t) const {
-    return {hornerBernstein(scaled_, t), hornerBernstein(scaledD1_, t), hornerBernstein(scaledD2_, t)};
-}
-
-std::vector<double> BezierCurve::coordinates(int axis) const {
+std::vector<double> coordinatesOf(const std::vector<V2d>& points, int axis) {
     std::vector<double> result;
-    for (const V2d& p : points_)
+    for (const V2d& p : points)
         result.push_back(p[axis]);
     return result;
 }
 
-std::pair<BezierCurve, BezierCurve> BezierCurve::split(double t) const {
-    const std::size_t n = points_.size();
-    std::vector<V2d> left(n), right(n);
+using Halves = std::pair<std::vector<V2d>, std::vector<V2d>>;
+
+Halves splitPoints(const std::vector<V2d>& points, double t) {
+    const std::size_t n = points.size();
+    Halves halves{std::vector<V2d>(n), std::vector<V2d>(n)};
+    std::vector<double> left(n);
     for (int axis = 0; axis < 2; ++axis) {
-        std::vector<double> c = coordinates(axis), l(n);
-        bernstein::split(c.data(), l.data(), int(n), t);
+        std::vector<double> right = coordinatesOf(points, axis);
+        bernstein::split(right.data(), left.data(), int(n), t);
         for (std::size_t i = 0; i < n; ++i)
-            left[i][axis] = l[i], right[i][axis] = c[i];
+            halves.first[i][axis] = left[i], halves.second[i][axis] = right[i];
     }
-    return {BezierCurve(std::move(left)), BezierCurve(std::move(right))};
+    return halves;
+}
+
+} // namespace
+
+BezierCurve::BezierCurve(std::vector<V2d> points) : points_(checked(std::move(points))), bernstein_(points_) {
+    // Above this degree the power basis serves none but nearly straight curves, and its preparation costs O(n^2).
+    constexpr int maxPowerDegree = 16;
+    if (degree() > maxPowerDegree) return;
+    const PowerForm power(points_);
+    const CurvePointError &stable = bernstein_.error(), &quick = power.error();
+    if (quick.p <= stable.p && quick.d1 <= 4 * stable.d1 && quick.d2 <= 4 * stable.d2) power_ = power;
+}
+
+std::vector<double> BezierCurve::coordinates(int axis) const {
+    return coordinatesOf(points_, axis);
+}
+
+std::pair<BezierCurve, BezierCurve> BezierCurve::split(double t) const {
+    Halves halves = splitPoints(points_, t);
+    return {BezierCurve(std::move(halves.first)), BezierCurve(std::move(halves.second))};
 }
 
 BezierCurve BezierCurve::part(double ta, double tb) const {
-    BezierCurve head = tb < 1 ? split(tb).first : *this;
-    return ta > 0 ? head.split(ta / tb).second : head;
+    std::vector<V2d> head = tb < 1 ? splitPoints(points_, tb).first : points_;
+    return BezierCurve(ta > 0 ? splitPoints(head, ta / tb).second : std::move(head));
+}
+
+BezierCurve BezierCurve::derivative() const {
+    std::vector<V2d> d;
+    for (std::size_t i = 0; i + 1 < points_.size(); ++i)
+        d.push_back((points_[i + 1] - points_[i]) * double(degree()));
+    if (d.size() == 1) d.push_back(d[0]);
+    return BezierCurve(std::move(d));
 }
 
 Imath::Box2d BezierCurve::controlBounds() const {
     Imath::Box2d box;
     for (const V2d& p : points_)
         box.extendBy(p);
+    return box;
+}
+
+Imath::Box2d BezierCurve::bounds() const {
+    Imath::Box2d box;
+    box.extendBy(first());
+    box.extendBy(last());
+    for (const double t : monotoneCuts())
+        box.extendBy(point(t));
     return box;
 }
 
@@ -104,6 +98,14 @@ std::vector<double> BezierCurve::extrema(int axis) const {
     for (const double t : bernstein::signChanges(bernstein::derivative(c), noise))
         if (t > 0 && t < 1) found.push_back(t);
     return found;
+}
+
+std::vector<double> BezierCurve::monotoneCuts() const {
+    std::vector<double> cuts = extrema(0);
+    const std::vector<double> others = extrema(1);
+    cuts.insert(cuts.end(), others.begin(), others.end());
+    std::sort(cuts.begin(), cuts.end());
+    return cuts;
 }
 
 double BezierCurve::areaUnder() const {

@@ -57,6 +57,12 @@ void appendCuts(const BezierCurve& curve, double ta, double tb, int depth, std::
 
 } // namespace
 
+NegativeRadius::NegativeRadius(std::size_t segmentIndex, double parameter, double radius)
+    : std::invalid_argument(
+          fmt::format("the radius x(t) of segment {} is {:.6g} at t = {:.6g}; it must not be negative", segmentIndex,
+                      radius, parameter)),
+      segment(segmentIndex), t(parameter) {}
+
 Profile::Profile(std::span<const V2d> points, int degree) : segments_(cutAtSharedEnds(points, degree)) {
     prepare();
 }
@@ -101,9 +107,7 @@ void Profile::checkRadius() const {
         candidates.insert(candidates.end(), {0., 1.});
         for (const double t : candidates) {
             const double x = segments_[i].point(t).x;
-            if (x < -endTolerance * size_)
-                throw std::invalid_argument(fmt::format(
-                    "the radius x(t) of segment {} is {:.6g} at t = {:.6g}; it must not be negative", i, x, t));
+            if (x < -endTolerance * size_) throw NegativeRadius(i, t, x);
         }
     }
 }
@@ -114,11 +118,8 @@ void Profile::divide() {
     const double count = double(segments_.size());
     for (std::size_t i = 0; i < segments_.size(); ++i) {
         const BezierCurve& segment = segments_[i];
-        std::vector<double> turns = segment.extrema(0);
-        const std::vector<double> turnsY = segment.extrema(1);
-        turns.insert(turns.end(), turnsY.begin(), turnsY.end());
+        std::vector<double> turns = segment.monotoneCuts();
         turns.push_back(1);
-        std::sort(turns.begin(), turns.end());
         std::vector<double> cuts{0.};
         // Curves that join smoothly turn at the joint, or by rounding next to it.
         std::erase_if(turns, [](double t) { return t < tiny || (t > 1 - tiny && t < 1); });

@@ -4,6 +4,7 @@
 #include "shapes/revolution/bezier_curve.h"
 
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 namespace vitrine {
@@ -15,11 +16,19 @@ struct ProfilePart {
     double v0, v1; ///< where it lies in the profile's parameter, (segment + t)/segments
 };
 
+/// Where a profile crosses the axis.
+class NegativeRadius : public std::invalid_argument {
+  public:
+    NegativeRadius(std::size_t segmentIndex, double parameter, double radius);
+    std::size_t segment;
+    double t; ///< of the segment
+};
+
 class Profile {
   public:
     /// \param degree of every segment; the segments share end points, so there are 1 + degree * segments points.
-    /// \throws std::invalid_argument for a wrong number of points, a degree outside 1..60, or x(t) < 0 somewhere
-    /// (then naming the segment and t). Control points may be negative.
+    /// \throws std::invalid_argument for a wrong number of points, a degree outside 1..60; NegativeRadius for x(t) < 0
+    /// somewhere. Control points may be negative.
     Profile(std::span<const V2d> points, int degree);
     /// Segments of any degrees; each must begin where the one before ends.
     explicit Profile(std::vector<BezierCurve> segments);

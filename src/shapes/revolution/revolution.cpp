@@ -24,10 +24,12 @@ V3d atAngle(const V2d& p, double cosPhi, double sinPhi) {
 
 } // namespace
 
-Revolution::Revolution(const Transform& worldFromObject, bool reverseOrientation, Profile profile, double phiMaxDegrees)
+Revolution::Revolution(const Transform& worldFromObject, bool reverseOrientation, Profile profile, double phiMaxDegrees,
+                       VMap vmap)
     : profile_(std::move(profile)), phi_(phiMaxDegrees),
       placement_(Placement::solid(worldFromObject, reverseOrientation, profile_.size())), roots_(profile_),
       table_(profile_) {
+    if (vmap == VMap::ArcLength) arcLength_.emplace(profile_);
     // Horner's rule for the point, the same again for what the next ray makes of it.
     constexpr double eps = std::numeric_limits<double>::epsilon();
     profileError_ = (8 + 2 * highestDegree(profile_)) * eps * profile_.size() * placement_.maxStretch();
@@ -150,12 +152,19 @@ ObjectPoint Revolution::describe(double u, double v, const Angle& phi) const {
     point.n = atAngle(n, phi.cos, phi.sin);
     point.uv = V2d(u, v);
     point.dpdu = V3d(-p.x * phi.sin, 0, p.x * phi.cos) * phi_.max();
-    point.dpdv = atAngle(c.d1, phi.cos, phi.sin);
+    V2d dpdv = c.d1;
+    double dvPerParameter = 1;
+    if (arcLength_) {
+        point.uv.y = arcLength_->fraction(v);
+        dpdv = tangent * arcLength_->total();
+        dvPerParameter = speed / arcLength_->total();
+    }
+    point.dpdv = atAngle(dpdv, phi.cos, phi.sin);
     point.dndu = V3d(-n.x * phi.sin, 0, n.x * phi.cos) * phi_.max();
     if (regular) {
         // Frenet: the normal turns along the tangent at the curvature times the speed.
         const double turn = (tangent.x * c.d2.y - tangent.y * c.d2.x) / speed;
-        point.dndv = atAngle(tangent * (turn * sign), phi.cos, phi.sin);
+        point.dndv = atAngle(tangent * (turn * sign / dvPerParameter), phi.cos, phi.sin);
     }
     return point;
 }
@@ -189,7 +198,8 @@ float Revolution::pdf(const PrimitiveHit& hit) const {
 }
 
 std::size_t Revolution::memoryBytes() const {
-    return sizeof(*this) + roots_.memoryBytes() + table_.memoryBytes() + profile_.parts().size() * sizeof(ProfilePart);
+    return sizeof(*this) + roots_.memoryBytes() + table_.memoryBytes() + (arcLength_ ? arcLength_->memoryBytes() : 0) +
+           profile_.parts().size() * sizeof(ProfilePart);
 }
 
 } // namespace vitrine

@@ -3,10 +3,14 @@
 
 #include "shapes/parameters.h"
 #include "shapes/placement.h"
+#include "shapes/revolution/arc_length_map.h"
 #include "shapes/revolution/area_table.h"
 #include "shapes/revolution/root_finder.h"
 
 namespace vitrine {
+
+/// What the texture coordinate v follows along the profile.
+enum class VMap { Parameter, ArcLength };
 
 /// Shape "revolution": a Bezier profile turned about the y axis, exact. Not in pbrt-v4.
 ///
@@ -15,14 +19,17 @@ namespace vitrine {
 /// | P      | point2  | scene units |                      | control points (radius, height) of the profile |
 /// | degree | integer |             | number of points - 1 | of every segment, 1 to 60; consecutive segments share end points |
 /// | phimax | float   | degrees     | 360                  | extent of the angle about the y axis, phi = atan2(z, x) |
+/// | vmap   | string  |             | "parameter"          | v runs with the profile's "parameter" or its "arclength" |
 ///
 /// Control points may have a negative radius as long as the curve has none. (u, v) = (phi / phimax, (segment + t) /
-/// segments). The normal is (y', -x') of the profile, turned; that of a closed profile (both ends on the axis, or
+/// segments), or with "arclength" v = the length of the profile from its beginning over its whole length, so that a
+/// texture is not stretched where control points lie far apart. The normal is (y', -x') of the profile, turned; that of a closed profile (both ends on the axis, or
 /// coinciding) points out of the solid however it was drawn.
 class Revolution final : public Shape {
   public:
     /// \throws std::invalid_argument
-    Revolution(const Transform& worldFromObject, bool reverseOrientation, Profile profile, double phiMaxDegrees = 360);
+    Revolution(const Transform& worldFromObject, bool reverseOrientation, Profile profile, double phiMaxDegrees = 360,
+               VMap vmap = VMap::Parameter);
 
     unsigned primitiveCount() const override { return roots_.groupCount(); }
     Box3d bounds(unsigned prim) const override;
@@ -43,6 +50,10 @@ class Revolution final : public Shape {
     std::size_t memoryBytes() const override;
 
     const Profile& profile() const { return profile_; }
+    bool isFullTurn() const { return phi_.isFull(); }
+    double phiMaxDegrees() const { return phi_.isFull() ? 360 : degrees(phi_.max()); }
+    /// The texture coordinate at a place v of the profile.
+    double textureV(double v) const { return arcLength_ ? arcLength_->fraction(v) : v; }
 
   private:
     struct Angle {
@@ -63,7 +74,8 @@ class Revolution final : public Shape {
     Placement placement_;
     RootFinder roots_;
     AreaTable table_;
-    double profileError_; ///< bound of a curve point's error, in world units
+    std::optional<ArcLengthMap> arcLength_; ///< when v follows it
+    double profileError_;                   ///< bound of a curve point's error, in world units
     double area_;
 };
 
