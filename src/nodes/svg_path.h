@@ -36,12 +36,11 @@ struct SvgPath {
     std::vector<SvgSubpath> subpaths;
 };
 
-/// What is wrong at the bytes [offset, offset + length) of a text; whoever knows where that stands makes it a
-/// SceneError.
+/// What is wrong at some bytes of a text; whoever knows where the text stands makes it a SceneError.
 class SvgTextError : public std::runtime_error {
   public:
-    SvgTextError(std::size_t offset, std::size_t length, const std::string& message, std::string hint = {})
-        : std::runtime_error(message), offset(offset), length(length), hint(std::move(hint)) {}
+    SvgTextError(std::size_t at, std::size_t bytes, const std::string& message, std::string remedy = {})
+        : std::runtime_error(message), offset(at), length(bytes), hint(std::move(remedy)) {}
 
     std::size_t offset, length;
     std::string hint;

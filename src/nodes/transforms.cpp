@@ -10,20 +10,6 @@ M44d affine(const V3d& x, const V3d& y, const V3d& z, const V3d& origin) {
     return M44d(x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, origin.x, origin.y, origin.z, 1);
 }
 
-double sinDegrees(double angle) {
-    const double r = std::fmod(angle, 360);
-    if (std::fmod(r, 90) != 0) return std::sin(radians(r));
-    const int quarter = (int(r / 90) + 4) % 4;
-    return quarter == 1 ? 1 : quarter == 3 ? -1 : 0;
-}
-
-double cosDegrees(double angle) {
-    const double r = std::fmod(angle, 360);
-    if (std::fmod(r, 90) != 0) return std::cos(radians(r));
-    const int quarter = (int(r / 90) + 4) % 4;
-    return quarter == 0 ? 1 : quarter == 2 ? -1 : 0;
-}
-
 /// Unit vector, also of vectors whose length over- or underflows.
 V3d unit(const V3d& v, const char* zeroMessage) {
     const double scale = maxAbs(v);
@@ -46,6 +32,20 @@ double independence(const M44d& m) {
 }
 
 } // namespace
+
+double sinDegrees(double angle) {
+    const double r = std::fmod(angle, 360);
+    if (std::fmod(r, 90) != 0) return std::sin(radians(r));
+    const int quarter = (int(r / 90) + 4) % 4;
+    return quarter == 1 ? 1 : quarter == 3 ? -1 : 0;
+}
+
+double cosDegrees(double angle) {
+    const double r = std::fmod(angle, 360);
+    if (std::fmod(r, 90) != 0) return std::cos(radians(r));
+    const int quarter = (int(r / 90) + 4) % 4;
+    return quarter == 0 ? 1 : quarter == 2 ? -1 : 0;
+}
 
 Transform translation(const V3d& offset) {
     M44d forward, back;

@@ -21,4 +21,8 @@ Transform fromNumbers(std::span<const double, 16> numbers);
 /// `outer` after `inner`, checked for overflow.
 Transform compose(const Transform& inner, const Transform& outer);
 
+/// Exact at right angles.
+double sinDegrees(double angle);
+double cosDegrees(double angle);
+
 } // namespace vitrine

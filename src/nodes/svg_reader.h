@@ -1,0 +1,56 @@
+// Goes through the elements of an SVG file.
+#pragma once
+
+#include "nodes/svg_attributes.h"
+#include "nodes/svg_coordinates.h"
+#include "nodes/svg_file.h"
+
+namespace vitrine {
+
+/// Places of ascending bytes of a text, without counting its lines from the start each time.
+class LineCounter {
+  public:
+    explicit LineCounter(std::shared_ptr<const SourceFile> file) : file_(std::move(file)) {}
+    Place at(std::size_t offset, std::size_t length);
+
+  private:
+    std::shared_ptr<const SourceFile> file_;
+    std::size_t line_ = 1, lineStart_ = 0, counted_ = 0;
+};
+
+class SvgReader {
+  public:
+    explicit SvgReader(const std::shared_ptr<const SourceFile>& file);
+    /// \throws SceneError
+    SvgDrawing read();
+
+  private:
+    /// What an element has from its ancestors.
+    struct Scope {
+        M33d userFromLocal;
+        SvgExtent extent;
+        std::vector<std::string> prefixes; ///< of SVG's namespace; "" where it needs none
+        bool namespaceKnown = false;       ///< false in a file that declares none: then "" is SVG's
+        bool rendered = true;
+        std::optional<Diagnostic> fault;
+        int depth = 0;
+    };
+
+    void visitChildren(const pugi::xml_node& node, const Scope& scope);
+    void visit(const pugi::xml_node& node, const Scope& parent);
+    void visitShape(std::string_view tag, const pugi::xml_node& node, const Scope& scope);
+    void openOutermost(const pugi::xml_node& root, Scope& scope);
+    void openNested(const SvgAttributes& in, Scope& scope);
+    void declareNamespaces(const pugi::xml_node& node, Scope& scope);
+    /// The name without its prefix, "" when it is not SVG's.
+    std::string_view svgTag(const pugi::xml_node& node, const Scope& scope) const;
+    SvgAttributes attributesOf(const pugi::xml_node& node) const;
+    Diagnostic diagnostic(const SvgTextError& error);
+
+    SvgDrawing drawing_;
+    std::string buffer_; ///< pugixml works in it, and shortens references there
+    pugi::xml_document document_;
+    LineCounter lines_;
+};
+
+} // namespace vitrine
