@@ -80,6 +80,13 @@ double SvgScanner::number(std::string_view what) {
     return number();
 }
 
+std::string_view SvgScanner::name() {
+    const std::size_t begin = at_;
+    while (!atEnd() && (isLetter(text_[at_]) || isDigit(text_[at_]) || text_[at_] == '-'))
+        ++at_;
+    return since(begin);
+}
+
 std::size_t SvgScanner::lengthOfNext() const {
     if (startsNumber()) return endOfNumber(at_) - at_;
     std::size_t i = at_;
