@@ -9,6 +9,8 @@ void registerInfo(CLI::App& app);
 void registerDiff(CLI::App& app);
 void registerConvert(CLI::App& app);
 void registerMerge(CLI::App& app);
+void registerMesh(CLI::App& app);
+void registerProfile(CLI::App& app);
 
 /// What the user asked for exists in the manual but not yet in this version (exit code 1).
 class NotYetSupported : public std::runtime_error {

@@ -53,7 +53,7 @@ int explain(const CLI::App& app, const CLI::ParseError& error) {
 
 /// Commands of the manual that a later version has.
 void registerLater(CLI::App& app) {
-    for (const char* name : {"denoise", "mesh", "profile"}) {
+    for (const char* name : {"denoise"}) {
         auto* command = app.add_subcommand(name, "Not yet supported");
         command->allow_extras();
         command->callback(
@@ -72,6 +72,8 @@ int run(int argc, char** argv) {
     registerDiff(app);
     registerConvert(app);
     registerMerge(app);
+    registerMesh(app);
+    registerProfile(app);
     registerLater(app);
     try {
         app.parse(argc, argv);

@@ -1,3 +1,4 @@
+#include "arguments.h"
 #include "commands.h"
 #include "film/imageio.h"
 #include "interrupts.h"
@@ -36,23 +37,6 @@ struct RenderArguments {
     bool resume = false, watch = false, denoise = false;
     std::string aov, displayServer;
 };
-
-template <class T>
-std::vector<T> numbers(const std::string& text, char separator, std::size_t count, const std::string& flag) {
-    std::vector<T> values;
-    std::string item;
-    std::istringstream in(text);
-    while (std::getline(in, item, separator)) {
-        std::istringstream number(item);
-        T value;
-        if (!(number >> value) || !(number >> std::ws).eof()) break;
-        values.push_back(value);
-    }
-    if (values.size() != count || text.ends_with(separator))
-        throw std::invalid_argument(
-            fmt::format("{} takes {} numbers separated by '{}', not \"{}\"", flag, count, separator, text));
-    return values;
-}
 
 std::uint64_t wholeNumber(const std::string& text, const std::string& flag) {
     std::uint64_t number = 0;

@@ -1,0 +1,100 @@
+#include "arguments.h"
+#include "commands.h"
+#include "core/replace_file.h"
+#include "plot/png_writer.h"
+#include "plot/svg_writer.h"
+#include "profile_drawings.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace vitrine;
+
+constexpr double pixelsPerPoint = 2; ///< a figure is 980 points wide
+
+struct ProfileArguments {
+    std::string file, output, ray, only;
+};
+
+std::string lowerExtension(const std::string& file) {
+    std::string extension = fs::path(file).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    return extension;
+}
+
+std::optional<Ray> readRay(const std::string& text) {
+    if (text.empty()) return {};
+    const auto n = numbers<double>(text, ',', 6, "--ray");
+    const Ray ray{V3d(n[0], n[1], n[2]), V3d(n[3], n[4], n[5])};
+    if (!isFinite(ray.o) || !isFinite(ray.d)) throw std::invalid_argument("--ray: a number is not finite");
+    if (ray.d == V3d(0, 0, 0)) throw std::invalid_argument("--ray: the direction is zero");
+    return ray;
+}
+
+/// Those with this id, or else the one of this number, counted from 1.
+std::vector<FoundProfile> chosen(const std::vector<FoundProfile>& all, const std::string& only) {
+    if (only.empty()) return all;
+    std::vector<FoundProfile> result;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!all[i].id.empty()) names.push_back(all[i].id);
+        if (all[i].id == only) result.push_back(all[i]);
+    }
+    for (std::size_t i = 0; i < all.size() && result.empty(); ++i)
+        if (std::to_string(i + 1) == only) return {all[i]};
+    if (!result.empty()) return result;
+    std::string message = fmt::format("--only {}: there are the profiles 1 to {}", only, all.size());
+    if (const std::string hint = didYouMean(only, names); !hint.empty()) message += "\n    " + hint;
+    throw std::invalid_argument(message);
+}
+
+void write(const plot::Figure& figure, const std::string& file) {
+    if (lowerExtension(file) == ".svg") {
+        const std::string text = plot::toSvg(figure);
+        replaceFile(file, {std::as_bytes(std::span(text))});
+    } else {
+        const auto bytes = plot::toPng(figure, pixelsPerPoint);
+        replaceFile(file, {bytes});
+    }
+}
+
+void drawProfiles(ProfileArguments a) {
+    const std::optional<Ray> ray = readRay(a.ray);
+    if (a.output.empty()) a.output = fs::path(a.file).stem().string() + "_profile.svg";
+    if (const std::string kind = lowerExtension(a.output); kind != ".svg" && kind != ".png")
+        throw std::invalid_argument(fmt::format("{}: a figure is written as .svg or .png", a.output));
+    std::error_code ignored;
+    if (fs::equivalent(a.output, a.file, ignored))
+        throw std::invalid_argument(fmt::format("{}: the figure would replace what is drawn", a.output));
+
+    const FoundProfiles found = profilesOfScene(a.file, ray);
+    for (const Diagnostic& warning : found.warnings)
+        fmt::print(stderr, "{}\n", warning.toString());
+    if (found.profiles.empty())
+        throw std::invalid_argument(fmt::format("{}: there is no shape \"revolution\" in this scene", a.file));
+    plot::Figure figure;
+    for (const FoundProfile& profile : chosen(found.profiles, a.only))
+        plot::addProfile(figure, profile.drawing);
+    write(figure, a.output);
+}
+
+} // namespace
+
+void registerProfile(CLI::App& app) {
+    auto* command = app.add_subcommand("profile", "Draw the profiles of a scene or of an SVG file");
+    auto a = std::make_shared<ProfileArguments>();
+    command->add_option("file", a->file, "Scene (every shape \"revolution\") or SVG file (every outline)")->required();
+    command->add_option("-o,--outfile", a->output,
+                        "Figure to write: .svg or .png; by default FILE's name with _profile.svg");
+    command->add_option("--only", a->only, "The profile of this number, from 1, or with this id in an SVG file");
+    command->add_option(
+        "--ray", a->ray,
+        "ox,oy,oz,dx,dy,dz: also draw where this ray meets the profile, turned. World space; for an SVG "
+        "file the profile's own space");
+    command->callback([a] { drawProfiles(*a); });
+}

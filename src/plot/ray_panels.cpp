@@ -1,0 +1,228 @@
+#include "plot/palette.h"
+#include "plot/panels.h"
+
+#include <fmt/format.h>
+
+namespace vitrine::plot {
+
+namespace {
+
+const Pen behindPen{rayInk, 1, 0.8, {2, 3}};
+
+/// One ray and what its panels share.
+struct RayScene {
+    const ProfileDrawing& drawing;
+    RaySection section;
+    std::vector<RayRoot> roots;
+    Box2d data; ///< of (y, d)
+
+    explicit RayScene(const ProfileDrawing& d)
+        : drawing(d), section(*d.ray), roots(section.roots(*d.profile, d.phiMaxDegrees)) {
+        Box2d box;
+        for (const BezierCurve& segment : d.segments)
+            box.extendBy(segment.bounds());
+        const double extent = std::max(box.size().y, box.max.x);
+        const double margin = 0.12 * std::max(box.size().y, 0.2 * extent);
+        // A ray that passes a little outside of the profile still shows.
+        const double reach = section.closest() < 2 * extent ? std::max(box.max.x, section.closest()) : box.max.x;
+        data = Box2d(V2d(box.min.y - margin, 0), V2d(box.max.y + margin, 1.2 * std::max(reach, 0.05 * extent)));
+        const double y = d.ray->o.y;
+        if (section.isHorizontal() && std::abs(y - box.center().y) < 2 * extent)
+            data.extendBy(V2d(y < box.center().y ? y - margin : y + margin, 0));
+    }
+    const std::string& unit() const { return drawing.unit; }
+    std::pair<double, double> stretch() const { return section.stretch(data.min.x, data.max.x, data.max.y); }
+};
+
+/// The part of [low, high] behind the origin of the ray, dotted, and the part before it.
+template <class Points>
+void drawBothParts(Figure& figure, const Axes& axes, double low, double high, const Points& points) {
+    figure.begin("d-ray", axes.frame());
+    if (low < std::min(high, 0.)) figure.add(Line{axes.at(points(low, std::min(high, 0.))), behindPen});
+    if (std::max(low, 0.) < high) figure.add(Line{axes.at(points(std::max(low, 0.), high)), Pen{rayInk, 1.8}});
+    figure.end();
+}
+
+void drawRootMarks(Figure& figure, const Axes& axes, const RayScene& scene, bool overS) {
+    figure.begin("roots", axes.frame());
+    for (std::size_t i = 0; i < scene.roots.size(); ++i) {
+        const RayRoot& root = scene.roots[i];
+        const V2d p = axes.at(V2d(overS ? root.s : root.y, root.d));
+        if (root.counts())
+            figure.add(Disk{p, 3.4, Pen{paper, 0.9}, Brush{rootInk}});
+        else
+            figure.add(Disk{p, 3, Pen{rootInk, 1}, Brush{paper}});
+        // Roots of a horizontal ray come in pairs, at one place of (y, d): the farther one's number goes below.
+        const bool below = !overS && scene.section.isHorizontal() && root.s > scene.section.sAtClosest();
+        const V2d offset = below ? V2d(6, 10) : V2d(6, -5);
+        figure.add(Text{p + offset, std::to_string(i + 1), 9, Anchor::Start, rootInk, true});
+    }
+    figure.end();
+}
+
+void drawOrigin(Figure& figure, const Axes& axes, const V2d& data) {
+    if (!axes.data().intersects(data)) return;
+    const V2d p = axes.at(data);
+    figure.add(Disk{p, 3.2, Pen{rayInk, 1.4}, Brush{paper}});
+    figure.add(Text{p + V2d(-6, -6), "*s* = 0", 9, Anchor::End, rayInk});
+}
+
+std::string curveNote(const RaySection& section) {
+    const std::string c = shown(section.c());
+    if (section.isHorizontal())
+        return fmt::format("horizontal ray: *y* = {} and *d*_{{r}} \u2265 {}", shown(section.height(0), 6),
+                           shown(section.closest()));
+    if (section.isAxial()) return "ray along the axis: *d*_{r} = " + shown(section.closest(), 6);
+    return fmt::format("*d*_{{r}}(*y*) = \u221a(*a* (*y* \u2212 *b*)^{{2}} + *c*),  *a* = {}, *b* = {}, *c* = {}",
+                       shown(section.a()), shown(section.b()), c);
+}
+
+void drawDistanceOverHeight(Figure& figure, const Box2d& frame, const RayScene& scene) {
+    figure.begin("distance-over-height");
+    const Axes axes(figure, frame, scene.data,
+                    {"Distance from the axis over height", curveNote(scene.section),
+                     "height *y* (" + scene.unit() + ")", "*d* (" + scene.unit() + ")"});
+    figure.begin("d-profile", frame);
+    for (std::size_t i = 0; i < scene.drawing.segments.size(); ++i) {
+        std::vector<V2d> points = densePoints(scene.drawing.segments[i]);
+        for (V2d& p : points)
+            std::swap(p.x, p.y);
+        figure.add(Line{axes.at(points), Pen{colourOfSegment(i), 2}});
+    }
+    figure.end();
+    const RaySection& section = scene.section;
+    if (section.isHorizontal()) // what the ray does not reach of the height at which it runs
+        figure.add(Line{{axes.at(V2d(section.height(0), 0)), axes.at(V2d(section.height(0), scene.data.max.y))},
+                        Pen{axisInk, 0.8, 1, {2, 3}}});
+    const auto [low, high] = scene.stretch();
+    drawBothParts(figure, axes, low, high, [&](double s0, double s1) { return section.points(s0, s1); });
+    drawOrigin(figure, axes, section.at(0));
+    drawRootMarks(figure, axes, scene, false);
+    if (low > high)
+        figure.add(Text{V2d(frame.center().x, frame.min.y + 16), "the ray passes outside of this figure", 10,
+                        Anchor::Middle, rayInk});
+    figure.end();
+}
+
+/// For a horizontal ray: d_r over s, and the radii that the profile has at that height.
+void drawDistanceOverS(Figure& figure, const Box2d& frame, const RayScene& scene) {
+    const RaySection& section = scene.section;
+    auto [low, high] = scene.stretch();
+    if (!(low < high)) return;
+    if (low > 0 && low < 0.5 * (high - low)) low = -0.05 * high; // the origin is near enough to be shown
+    const double margin = 0.04 * (high - low);
+    figure.begin("distance-over-s");
+    const Axes axes(figure, frame, Box2d(V2d(low - margin, 0), V2d(high + margin, scene.data.max.y)),
+                    {"Distance over the ray's parameter",
+                     "dashed: radii *x*(*t*) where *y*(*t*) = " + shown(section.height(0), 6), "*s*",
+                     "*d* (" + scene.unit() + ")"});
+    figure.begin("radii", frame);
+    for (const RayRoot& root : scene.roots)
+        figure.add(Line{{axes.at(V2d(axes.data().min.x, root.d)), axes.at(V2d(axes.data().max.x, root.d))},
+                        Pen{colourOfSegment(std::size_t(root.segment)), 1.2, 1, {5, 3}}});
+    figure.end();
+    drawBothParts(figure, axes, low, high, [&](double s0, double s1) {
+        std::vector<V2d> points;
+        for (int i = 0; i <= denseSteps; ++i) {
+            const double s = lerp(double(i) / denseSteps, s0, s1);
+            points.push_back(V2d(s, section.distance(s)));
+        }
+        return points;
+    });
+    drawOrigin(figure, axes, V2d(0, section.distance(0)));
+    drawRootMarks(figure, axes, scene, true);
+    figure.end();
+}
+
+void drawLegend(Figure& figure, V2d at) {
+    const auto entry = [&](const std::string& text, double room) {
+        figure.add(Text{at + V2d(24, 3), text, 9, Anchor::Start, ink});
+        at.x += room;
+    };
+    figure.begin("legend");
+    figure.add(Line{{at, at + V2d(9, 0)}, Pen{segmentInk[0], 2}});
+    figure.add(Line{{at + V2d(9, 0), at + V2d(18, 0)}, Pen{segmentInk[1], 2}});
+    entry("profile *d*_{b}(*y*)", 100);
+    figure.add(Line{{at, at + V2d(18, 0)}, Pen{rayInk, 1.8}});
+    entry("ray *d*_{r}(*y*)", 82);
+    figure.add(Line{{at, at + V2d(18, 0)}, behindPen});
+    entry("behind its origin", 112);
+    figure.add(Disk{at + V2d(12, 0), 3.4, Pen{paper, 0.9}, Brush{rootInk}});
+    entry("roots", 0);
+    figure.end();
+}
+
+struct Column {
+    std::string title;
+    double at; ///< right edge, in points from the table's left
+};
+
+std::string rootsTitle(const RayScene& scene) {
+    const auto met = std::count_if(scene.roots.begin(), scene.roots.end(), [](const RayRoot& r) { return r.counts(); });
+    return met == 0   ? "The ray meets nothing"
+           : met == 1 ? "The ray meets the surface once"
+                      : fmt::format("The ray meets the surface {} times", met);
+}
+
+constexpr double tableWidth = 300, rowHeight = 15;
+constexpr std::size_t maxRows = 60;
+
+double tableHeight(std::size_t roots) {
+    return rowHeight * double(std::min(roots, maxRows) + 4);
+}
+
+void drawTable(Figure& figure, const V2d& corner, const RayScene& scene) {
+    const Column columns[] = {{"", 14}, {"*s*", 78}, {"segment", 130}, {"*t*", 186}, {"*y*", 243}, {"*d*", tableWidth}};
+    figure.begin("root-table");
+    figure.add(Text{corner - V2d(0, 21), rootsTitle(scene), 12, Anchor::Start, ink, true});
+    double y = corner.y + 8;
+    const auto rule = [&](double width) {
+        figure.add(Line{{V2d(corner.x, y + 5), V2d(corner.x + tableWidth, y + 5)}, Pen{axisInk, width}});
+    };
+    for (const Column& column : columns)
+        figure.add(Text{V2d(corner.x + column.at, y), column.title, 9.5, Anchor::End, ink, true});
+    rule(0.8);
+    const std::size_t rows = std::min(scene.roots.size(), maxRows);
+    bool behind = false, left = false;
+    for (std::size_t i = 0; i < rows; ++i) {
+        const RayRoot& root = scene.roots[i];
+        y += rowHeight;
+        const std::string cells[] = {std::to_string(i + 1),         shown(root.s, 7), std::to_string(root.segment),
+                                     fmt::format("{:.6f}", root.t), shown(root.y, 6), shown(root.d, 6)};
+        for (std::size_t k = 0; k < std::size(cells); ++k)
+            figure.add(Text{V2d(corner.x + columns[k].at, y + 3), cells[k], 9.5, Anchor::End,
+                            root.counts() ? (k == 0 ? rootInk : ink) : faintInk, k == 0});
+        behind = behind || root.s <= 0;
+        left = left || !root.inSector;
+    }
+    y += 4;
+    rule(0.5);
+    std::string note = scene.roots.size() > rows ? fmt::format("and {} more. ", scene.roots.size() - rows) : "";
+    if (behind) note += "Hollow: behind the origin. ";
+    if (left) note += fmt::format("Hollow: beyond phimax = {}\u00b0.", shown(scene.drawing.phiMaxDegrees));
+    if (!note.empty()) figure.add(Text{V2d(corner.x, y + 20), note, 9, Anchor::Start, faintInk});
+    figure.end();
+}
+
+} // namespace
+
+double drawRay(Figure& figure, double top, const ProfileDrawing& drawing) {
+    constexpr double left = 64, tableLeft = 652, gap = 62;
+    const RayScene scene(drawing);
+    figure.begin("ray");
+    figure.add(Text{V2d(left, top + 12), drawing.rayTitle, 10.5, Anchor::Start, rayInk});
+    const double upper = top + 56, lower = upper + std::max(230., tableHeight(scene.roots.size()));
+    const double end = tableLeft - 48, middle = (left + end) / 2;
+    if (scene.section.isHorizontal()) {
+        drawDistanceOverHeight(figure, Box2d(V2d(left, upper), V2d(middle - gap / 2, lower)), scene);
+        drawDistanceOverS(figure, Box2d(V2d(middle + gap / 2, upper), V2d(end, lower)), scene);
+    } else {
+        drawDistanceOverHeight(figure, Box2d(V2d(left, upper), V2d(end, lower)), scene);
+    }
+    drawLegend(figure, V2d(left, lower + 48));
+    drawTable(figure, V2d(tableLeft, upper), scene);
+    figure.end();
+    return lower + 68 - top;
+}
+
+} // namespace vitrine::plot
