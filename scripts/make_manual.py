@@ -41,7 +41,7 @@ FAMILIES = [
 ]
 # Builders' files, and the directives whose tables name what these files ask for.
 BUILDERS = [
-    ("shape_builder.cpp", ["Shape"]),
+    (("shape_builder.cpp", "revolution_builder.cpp"), ["Shape"]),
     ("material_builder.cpp", ["Material"]),
     ("light_builder.cpp", ["AreaLightSource", "LightSource"]),
     (("camera_builder.cpp", "film_builder.cpp"), ["Camera", "Film", "PixelFilter", "Sampler"]),

@@ -130,4 +130,24 @@ std::string Lexer::takeString(std::string_view what) {
     return unescaped(token);
 }
 
+Place placeInString(const Place& string, std::size_t offset, std::size_t length) {
+    if (!string || string.line <= 0) return string;
+    const std::string_view text = string.file->text;
+    std::size_t begin = 0;
+    for (int line = 1; line < string.line; ++line)
+        begin = text.find('\n', begin) + 1;
+    begin += std::size_t(string.column) - 1;
+    if (begin >= text.size() || text[begin] != '"') return string;
+    std::size_t at = begin + 1;
+    const auto pass = [&](std::size_t count) {
+        for (; count > 0 && at < text.size() && text[at] != '"'; --count)
+            at += text[at] == '\\' ? 2 : 1;
+    };
+    pass(offset);
+    const std::size_t first = at;
+    pass(length);
+    return Place{string.file, string.line, string.column + clampedInt(std::ptrdiff_t(first - begin)),
+                 std::max(1, clampedInt(std::ptrdiff_t(at - first)))};
+}
+
 } // namespace vitrine

@@ -79,4 +79,8 @@ class Lexer {
     bool havePeeked_ = false;
 };
 
+/// The place of some bytes of a string's value, of which `string` is the place with its quotes: what stands before them
+/// may have been written with escapes.
+Place placeInString(const Place& string, std::size_t offset, std::size_t length);
+
 } // namespace vitrine

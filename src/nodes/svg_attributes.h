@@ -33,6 +33,8 @@ class SvgAttributes {
     SvgTextError error(const char* name, const std::string& message, const std::string& hint = {}) const;
     /// Byte of the element's name.
     std::size_t offset() const { return std::size_t(node_.offset_debug()); }
+    /// Its bytes.
+    std::size_t nameLength() const { return std::string_view(node_.name()).size(); }
 
   private:
     SvgTextError moved(const char* name, const SvgTextError& error) const;

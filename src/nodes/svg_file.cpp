@@ -6,24 +6,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace vitrine {
 
 namespace {
 
-/// The ids, or else labels, of some shapes: `"a", "b", the path in line 7`.
+std::string nameOf(const SvgElement& element) {
+    if (element.id.empty() && element.label.empty())
+        return fmt::format("the {} in line {} (without id)", element.tag, element.place.line);
+    if (element.id.empty()) return inQuotes(element.label);
+    return inQuotes(element.id) + (element.label.empty() ? "" : " (" + inQuotes(element.label) + ")");
+}
+
+/// `"path1", "path2" ("foot"), the path in line 7 (without id)`.
 std::string listOf(const std::vector<const SvgElement*>& elements) {
     constexpr std::size_t most = 10;
     std::string list;
-    for (std::size_t i = 0; i < std::min(most, elements.size()); ++i) {
-        const SvgElement& element = *elements[i];
-        if (!list.empty()) list += ", ";
-        if (!element.id.empty())
-            list += inQuotes(element.id);
-        else if (!element.label.empty())
-            list += inQuotes(element.label);
-        else
-            list += fmt::format("the {} in line {} (no id)", element.tag, element.place.line);
-    }
+    for (std::size_t i = 0; i < std::min(most, elements.size()); ++i)
+        list += (i > 0 ? ", " : "") + nameOf(*elements[i]);
     return elements.size() > most ? fmt::format("{} and {} more", list, elements.size() - most) : list;
 }
 

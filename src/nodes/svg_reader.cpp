@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstring>
 
 namespace vitrine {
 
@@ -97,7 +96,7 @@ SvgPath transformedPath(SvgPath path, const M33d& m, const SvgAttributes& in) {
             for (V2d& p : segment.controls()) {
                 p = transformed(p, m);
                 if (!std::isfinite(p.x) || !std::isfinite(p.y))
-                    throw SvgTextError(in.offset(), 1, "the element's coordinates are too large");
+                    throw SvgTextError(in.offset(), in.nameLength(), "the element's coordinates are too large");
             }
         std::erase_if(subpath.segments, [](const SvgSegment& segment) {
             const auto points = segment.controls();
@@ -141,7 +140,7 @@ SvgDrawing SvgReader::read() {
     Scope scope;
     declareNamespaces(root, scope);
     if (svgTag(root, scope) != "svg")
-        throw SceneError(lines_.at(std::size_t(root.offset_debug()), std::strlen(root.name())),
+        throw SceneError(lines_.at(std::size_t(root.offset_debug()), attributesOf(root).nameLength()),
                          fmt::format("the file is no SVG: it begins with {}", inQuotes(root.name())));
     try {
         openOutermost(root, scope);
@@ -213,7 +212,7 @@ void SvgReader::openNested(const SvgAttributes& in, Scope& scope) {
     const V2d corner(in.length("x", around.x, 0), in.length("y", around.y, 0));
     const V2d viewport(in.length("width", around.x, around.x), in.length("height", around.y, around.y));
     if (!(viewport.x > 0) || !(viewport.y > 0))
-        throw SvgTextError(in.offset(), 3, "the width and height of a nested svg must be positive");
+        throw SvgTextError(in.offset(), in.nameLength(), "the width and height of a nested svg must be positive");
     M33d fit;
     scope.extent.size = viewport;
     if (in.has("viewBox")) {
@@ -250,7 +249,7 @@ void SvgReader::visit(const pugi::xml_node& node, const Scope& parent) {
     Scope& scope = *own;
     const SvgAttributes in = attributesOf(node);
     if (++scope.depth > deepest)
-        throw SceneError(lines_.at(in.offset(), tag.size()),
+        throw SceneError(lines_.at(in.offset(), in.nameLength()),
                          fmt::format("elements are nested more than {} deep", deepest));
     scope.rendered = scope.rendered && !isUnrendered && !isHidden(in);
     if (!scope.fault) try {
@@ -268,14 +267,14 @@ void SvgReader::visitShape(std::string_view tag, const pugi::xml_node& node, con
     element.tag = tag;
     element.id = in.text("id");
     element.label = in.text("inkscape:label");
-    element.place = lines_.at(in.offset(), std::strlen(node.name()));
+    element.place = lines_.at(in.offset(), in.nameLength());
     element.rendered = scope.rendered && !isHidden(in);
     element.fault = scope.fault;
     if (!element.fault) try {
             const M33d m = ownTransform(in) * scope.userFromLocal;
             element.path = transformedPath(readSvgShape(tag, in, scope.extent), m, in);
             if (element.path.subpaths.empty())
-                throw SvgTextError(in.offset(), tag.size(), fmt::format("the {} draws nothing", tag));
+                throw SvgTextError(in.offset(), in.nameLength(), fmt::format("the {} draws nothing", tag));
         } catch (const SvgTextError& error) {
             element.path = {};
             element.fault = diagnostic(error);

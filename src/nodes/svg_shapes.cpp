@@ -16,7 +16,7 @@ using Reader = SvgPath (*)(const SvgAttributes&, const SvgExtent&);
 
 SvgOutline outlineOf(const SvgAttributes& in) {
     SvgOutline outline;
-    outline.setSource(in.offset(), 1);
+    outline.setSource(in.offset(), in.nameLength());
     return outline;
 }
 

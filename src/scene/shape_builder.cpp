@@ -1,4 +1,5 @@
 #include "scene/registry.h"
+#include "scene/revolution_builder.h"
 #include "scene/world_builder.h"
 #include "shapes/box.h"
 #include "shapes/cylinder.h"
@@ -114,26 +115,11 @@ Shapes plyMesh(const ShapeInput& in) {
     return makeMeshShapes(readPly(in.context.file(p, "filename", *name)), in.worldFromObject, in.reverse);
 }
 
-/// The profile of control points. One that crosses the axis is shown at the segment's point that lies farthest beyond.
-Profile profileOfPoints(const ParameterSet& p, const std::vector<V2d>& points) {
-    const int degree = p.getInteger("degree", int(points.size()) - 1);
-    try {
-        return Profile(points, degree);
-    } catch (const NegativeRadius& e) {
-        const auto first = points.begin() + std::ptrdiff_t(e.segment) * degree;
-        const auto lowest =
-            std::min_element(first, first + degree + 1, [](const V2d& a, const V2d& b) { return a.x < b.x; });
-        throw SceneError(p.valuePlace("P", 2 * std::size_t(lowest - points.begin())), e.what());
-    }
-}
-
 Shapes revolution(const ShapeInput& in) {
     const ParameterSet& p = in.parameters;
-    refuse(p, {"path", "filename", "id"});
-    const std::vector<V2d> points = p.getPoint2s("P");
-    if (points.empty()) throw SceneError(p.place("P"), "a revolution needs its profile: \"point2 P\"");
+    Profile profile = buildProfile(in.context, in.node);
     const bool byLength = p.getChoice("vmap", "parameter", {"parameter", "arclength"}) == "arclength";
-    return {std::make_shared<Revolution>(in.worldFromObject, in.reverse, profileOfPoints(p, points),
+    return {std::make_shared<Revolution>(in.worldFromObject, in.reverse, std::move(profile),
                                          p.getFloat("phimax", 360), byLength ? VMap::ArcLength : VMap::Parameter)};
 }
 

@@ -14,17 +14,32 @@ enum class VMap { Parameter, ArcLength };
 
 /// Shape "revolution": a Bezier profile turned about the y axis, exact. Not in pbrt-v4.
 ///
-/// | name   | type    | unit        | default              | meaning |
-/// |--------|---------|-------------|----------------------|---------|
-/// | P      | point2  | scene units |                      | control points (radius, height) of the profile |
-/// | degree | integer |             | number of points - 1 | of every segment, 1 to 60; consecutive segments share end points |
-/// | phimax | float   | degrees     | 360                  | extent of the angle about the y axis, phi = atan2(z, x) |
-/// | vmap   | string  |             | "parameter"          | v runs with the profile's "parameter" or its "arclength" |
+/// | name     | type    | unit        | default              | meaning |
+/// |----------|---------|-------------|----------------------|---------|
+/// | P        | point2  | scene units |                      | control points (radius, height) of the profile |
+/// | degree   | integer |             | number of points - 1 | of every segment, 1 to 60; consecutive segments share end points |
+/// | path     | string  |             |                      | in place of P: SVG path data; several strings are read as one |
+/// | filename | string  |             |                      | in place of P: an SVG file, perhaps compressed |
+/// | id       | string  |             |                      | of the shape in the file, or its label in Inkscape; may be left out when only one is shown |
+/// | unit     | string  |             | "user"               | of the file: "user" as its coordinates are written, or by its width, height and viewBox "mm", "cm", "m", "in" |
+/// | origin   | point2  | `unit`      | 0 0                  | point of the drawing that becomes radius 0, height 0: the axis goes through it |
+/// | axis     | string  |             | "y"                  | direction of the axis in the drawing: "y" upright, "x" lying, with the height to the right |
+/// | flipx    | bool    |             | false                | mirrors the drawing left and right of `origin` |
+/// | flipy    | bool    |             | true for a file      | mirrors it above and below `origin`: in an SVG file y points down, in `path` it points up |
+/// | scale    | float   | scene units | 1                    | length of a unit of the drawing |
+/// | phimax   | float   | degrees     | 360                  | extent of the angle about the y axis, phi = atan2(z, x) |
+/// | vmap     | string  |             | "parameter"          | v runs with the profile's "parameter" or its "arclength" |
 ///
 /// Control points may have a negative radius as long as the curve has none. (u, v) = (phi / phimax, (segment + t) /
 /// segments), or with "arclength" v = the length of the profile from its beginning over its whole length, so that a
-/// texture is not stretched where control points lie far apart. The normal is (y', -x') of the profile, turned; that of a closed profile (both ends on the axis, or
-/// coinciding) points out of the solid however it was drawn.
+/// texture is not stretched where control points lie far apart. The normal is (y', -x') of the profile, turned; that of
+/// a closed profile (both ends on the axis, or coinciding) points out of the solid however it was drawn.
+///
+/// Path data: M L H V Q C S T A Z and lower case, one subpath. An arc becomes cubics (each a segment) within 1e-6 of
+/// its radius. In a file: path, line, polyline, polygon, rect, circle, ellipse, with all transformations and view boxes
+/// around them; styles are not looked at, except that nothing hidden is taken without `id`. What lies within 1e-6 of the
+/// profile's extent from the axis is put onto it, ends so near to each other are joined, and lines along the axis at the
+/// profile's ends are left out. A profile on the other side of the axis is an error; `flipx` mirrors it.
 class Revolution final : public Shape {
   public:
     /// \throws std::invalid_argument
