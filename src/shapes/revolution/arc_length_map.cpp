@@ -21,36 +21,37 @@ ArcLengthMap::ArcLengthMap(const Profile& profile) {
     double polygon = 0;
     for (const ProfilePart& part : profile.parts())
         polygon += (part.curve.last() - part.curve.first()).length();
-    const double tolerance = 4e-9 * polygon;
-
-    for (const ProfilePart& part : profile.parts()) {
-        // By the part's own segment: at a joint the next one may have another speed.
-        const BezierCurve& segment = profile.segments()[std::size_t(part.segment)];
-        const auto speed = [&](double v) {
-            return count * segment.evaluate(std::clamp(v * count - part.segment, 0., 1.)).d1.length();
-        };
-        const auto divide = [&](const auto& self, double v0, double v1, int depth) -> void {
-            std::array<double, 5> length{0};
-            for (int i = 0; i < 4; ++i)
-                length[std::size_t(i + 1)] = length[std::size_t(i)] + integratePanels(speed, lerp(i / 4., v0, v1),
-                                                                                      lerp((i + 1) / 4., v0, v1), 1);
-            const double slope0 = speed(v0), slope1 = speed(v1);
-            double off = std::abs(integratePanels(speed, v0, v1, 1) - length[4]);
-            for (int i = 1; i < 4; ++i)
-                off = std::max(
-                    off, std::abs(hermite(i / 4., v1 - v0, 0, length[4], slope0, slope1) - length[std::size_t(i)]));
-            if (off > tolerance && depth > 0) {
-                const double vm = (v0 + v1) / 2;
-                self(self, v0, vm, depth - 1);
-                self(self, vm, v1, depth - 1);
-            } else {
-                cells_.push_back({v0, v1, total_, total_ + length[4], slope0, slope1});
-                total_ += length[4];
-            }
-        };
-        constexpr int maxHalvings = 24; // next to a cusp each of them quarters the error
-        divide(divide, part.v0, part.v1, maxHalvings);
+    for (std::size_t i = 0; i < profile.segments().size(); ++i) {
+        // Between its extremes the speed has no corners.
+        std::vector<double> cuts = profile.segments()[i].speedExtrema();
+        cuts.push_back(1);
+        double from = 0;
+        for (const double cut : cuts) {
+            append({profile.segments()[i], double(i), count, 4e-9 * polygon}, from, cut, maxHalvings);
+            from = cut;
+        }
     }
+}
+
+void ArcLengthMap::append(const Stretch& stretch, double t0, double t1, int depth) {
+    const auto speed = [&](double t) { return stretch.curve.evaluate(t).d1.length(); };
+    std::array<double, 5> length{0};
+    for (std::size_t i = 0; i < 4; ++i)
+        length[i + 1] =
+            length[i] + integratePanels(speed, lerp(double(i) / 4, t0, t1), lerp(double(i + 1) / 4, t0, t1), 1);
+    const double slope0 = speed(t0), slope1 = speed(t1);
+    double off = std::abs(integratePanels(speed, t0, t1, 1) - length[4]);
+    for (std::size_t i = 1; i < 4; ++i)
+        off = std::max(off, std::abs(hermite(double(i) / 4, t1 - t0, 0, length[4], slope0, slope1) - length[i]));
+    if (off > stretch.tolerance && depth > 0) {
+        const double tm = (t0 + t1) / 2;
+        append(stretch, t0, tm, depth - 1);
+        append(stretch, tm, t1, depth - 1);
+        return;
+    }
+    const double v0 = (stretch.segment + t0) / stretch.segments, v1 = (stretch.segment + t1) / stretch.segments;
+    cells_.push_back({v0, v1, total_, total_ + length[4], slope0 * stretch.segments, slope1 * stretch.segments});
+    total_ += length[4];
 }
 
 double ArcLengthMap::fraction(double v) const {

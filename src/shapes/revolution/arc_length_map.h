@@ -20,6 +20,15 @@ class ArcLengthMap {
     std::size_t memoryBytes() const { return cells_.size() * sizeof(Cell); }
 
   private:
+    static constexpr int maxHalvings = 24; ///< of a stretch; next to a stop or a cusp each quarters the error
+    /// Of one segment between extremes of its speed.
+    struct Stretch {
+        const BezierCurve& curve;
+        double segment, segments; ///< its number, and how many there are
+        double tolerance;
+    };
+    void append(const Stretch& stretch, double t0, double t1, int depth);
+
     struct Cell {
         double v0, v1;
         double length0, length1; ///< up to the ends

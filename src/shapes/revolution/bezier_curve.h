@@ -47,6 +47,8 @@ class BezierCurve {
     std::vector<double> extrema(int axis) const;
     /// Those of both axes: between them the curve is monotone in x and in y.
     std::vector<double> monotoneCuts() const;
+    /// Parameters in (0,1), ascending, where the speed |c'| is least or greatest.
+    std::vector<double> speedExtrema() const;
     /// Integral of x dy over the curve, exact up to rounding.
     double areaUnder() const;
 

@@ -1,5 +1,6 @@
 // Arc length and curvature of Bezier curves.
 #include "shapes/quadrature.h"
+#include "shapes/revolution/bernstein.h"
 #include "shapes/revolution/bezier_curve.h"
 
 namespace vitrine {
@@ -15,45 +16,80 @@ double polygonLength(const std::vector<V2d>& points) {
     return sum;
 }
 
-struct LengthSum {
-    const BezierCurve& curve;
-    double tolerance;
-    BezierCurve::Length total{0, 0};
+/// The integral of the speed, cut where it is extreme: a cusp, or almost one, makes a corner there, which could hide
+/// between the last node of a panel and its end.
+class SpeedIntegral {
+  public:
+    explicit SpeedIntegral(const BezierCurve& curve)
+        : curve_(curve), cuts_(curve.speedExtrema()), polygon_(polygonLength(curve.points())) {}
+
+    BezierCurve::Length over(double ta, double tb) const {
+        BezierCurve::Length total{0, 4 * curve_.degree() * eps * polygon_};
+        double from = ta;
+        for (const double cut : cuts_)
+            if (cut > from && cut < tb) {
+                add(from, cut, estimate(from, cut), maxHalvings, total);
+                from = cut;
+            }
+        add(from, tb, estimate(from, tb), maxHalvings, total);
+        return total;
+    }
+
+  private:
+    static constexpr int maxHalvings = 40;
 
     double estimate(double ta, double tb) const {
-        return integratePanels([&](double t) { return curve.evaluate(t).d1.length(); }, ta, tb, 1);
+        return integratePanels([&](double t) { return curve_.evaluate(t).d1.length(); }, ta, tb, 1);
     }
-    void add(double ta, double tb, double whole, int depth) {
+    void add(double ta, double tb, double whole, int depth, BezierCurve::Length& total) const {
         const double tm = (ta + tb) / 2, left = estimate(ta, tm), right = estimate(tm, tb);
         const double change = std::abs(left + right - whole);
-        if (change <= tolerance || depth == 0) {
+        if (change <= 0x1p-46 * polygon_ || depth == 0) {
             total.value += left + right;
             total.error += change;
         } else {
-            add(ta, tm, left, depth - 1);
-            add(tm, tb, right, depth - 1);
+            add(ta, tm, left, depth - 1, total);
+            add(tm, tb, right, depth - 1, total);
         }
     }
+
+    const BezierCurve& curve_;
+    std::vector<double> cuts_;
+    double polygon_;
 };
 
 } // namespace
 
+std::vector<double> BezierCurve::speedExtrema() const {
+    std::vector<double> slope; // of the squared speed, halved: c' . c''
+    double largest = 0;
+    for (int axis = 0; axis < 2; ++axis) {
+        const std::vector<double> d1 = bernstein::derivative(coordinates(axis));
+        const std::vector<double> product = bernstein::multiply(d1, bernstein::derivative(d1));
+        slope.resize(product.size());
+        for (std::size_t i = 0; i < product.size(); ++i) {
+            slope[i] += product[i];
+            largest = std::max(largest, std::abs(product[i]));
+        }
+    }
+    std::vector<double> found = bernstein::signChanges(slope, 8 * degree() * eps * largest);
+    std::erase_if(found, [](double t) { return !(t > 0 && t < 1); });
+    return found;
+}
+
 BezierCurve::Length BezierCurve::length(double ta, double tb) const {
-    constexpr int maxHalvings = 40; // next to a cusp each of them quarters what is in doubt
-    LengthSum sum{*this, 0x1p-46 * polygonLength(points_)};
-    sum.add(ta, tb, sum.estimate(ta, tb), maxHalvings);
-    sum.total.error += 4 * degree() * eps * polygonLength(points_);
-    return sum.total;
+    return SpeedIntegral(*this).over(ta, tb);
 }
 
 double BezierCurve::parameterAtLength(double length) const {
-    const double total = this->length().value;
+    const SpeedIntegral integral(*this);
+    const double total = integral.over(0, 1).value;
     if (!(length > 0)) return 0;
     if (!(length < total)) return 1;
     double ta = 0, tb = 1, t = length / total, reached = 0, from = 0;
     // Newton's method, kept in the bracket by bisection; each step integrates only the way it went.
     for (int i = 1; i < 100; ++i) {
-        reached += t >= from ? this->length(from, t).value : -this->length(t, from).value;
+        reached += t >= from ? integral.over(from, t).value : -integral.over(t, from).value;
         from = t;
         (reached < length ? ta : tb) = t;
         double next = t + (length - reached) / evaluate(t).d1.length();

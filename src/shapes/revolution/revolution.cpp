@@ -150,12 +150,11 @@ ObjectPoint Revolution::describe(double u, double v, const Angle& phi) const {
     ObjectPoint point;
     point.p = atAngle(p, phi.cos, phi.sin);
     point.n = atAngle(n, phi.cos, phi.sin);
-    point.uv = V2d(u, v);
+    point.uv = V2d(u, textureV(v));
     point.dpdu = V3d(-p.x * phi.sin, 0, p.x * phi.cos) * phi_.max();
     V2d dpdv = c.d1;
     double dvPerParameter = 1;
     if (arcLength_) {
-        point.uv.y = arcLength_->fraction(v);
         dpdv = tangent * arcLength_->total();
         dvPerParameter = speed / arcLength_->total();
     }
