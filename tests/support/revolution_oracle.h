@@ -1,4 +1,5 @@
-// Slow, independent ways to intersect a ray with a turned Bezier profile; nothing here is shared with src/shapes.
+// What the oracles of turned Bezier profiles share: slow and plain, in long double; nothing here is shared with
+// src/shapes.
 #pragma once
 
 #include "core/ray.h"
@@ -9,41 +10,46 @@ namespace vitrine::test {
 
 using ProfilePoints = std::vector<std::vector<V2d>>; ///< control points of each segment
 
+/// Largest absolute coordinate of a control point.
+double sizeOf(const ProfilePoints& profile);
+
 struct OracleHit {
     double s; ///< in units of the ray's direction, any sign
     int segment;
     double t;
+    bool forward; ///< beyond the ray's closest approach to the axis
 };
 
-/// In 50 decimal digits: the polynomial of degree 2n in the power basis; its roots between the roots of its derivative,
-/// those between the roots of the second derivative, and so on. Every change of sign in (0,1], ascending in s.
-/// \param shift added to every radius and height: the surface a little larger or higher
-std::vector<OracleHit> exactHits(const ProfilePoints& profile, const Ray& ray, const V2d& shift = {0, 0});
-
-/// In long double, without squaring: both halves of the ray's hyperbola are scanned over a dense table of the profile,
-/// with a search for the least distance wherever the table suggests one.
-class ScanOracle {
+/// One segment. Values by the scheme of Farin's `hornbez`, O(n).
+class SlowCurve {
   public:
-    explicit ScanOracle(const ProfilePoints& profile, int samplesPerSegment = 300);
-    std::vector<OracleHit> hits(const Ray& ray) const;
+    struct Sample {
+        long double x, y, dx, dy;
+    };
+    explicit SlowCurve(const std::vector<V2d>& points);
+
+    int degree() const { return int(x_.size()) - 1; }
+    /// Exact at t = 0 and t = 1.
+    Sample at(long double t) const;
 
   private:
-    struct Sample {
-        long double x, y;
-    };
-    struct Scan;
-    Sample at(int segment, long double t) const;
-
-    std::vector<std::vector<Sample>> points_; ///< control points
-    std::vector<std::vector<Sample>> table_;
-    int samples_;
+    std::vector<long double> x_, y_, dx_, dy_; ///< times the binomials
 };
 
-/// Distance in the half-plane between the ray's point at s and the profile's point at t, in long double.
-double residual(const ProfilePoints& profile, const Ray& ray, double s, int segment, double t);
+/// The ray in the half-plane of radius and height: r = sqrt(e^2 + g^2), g = q + h l, y = oy + v l.
+struct HalfPlaneRay {
+    long double length, ux, uz, h, v, q, e, oy;
 
-/// Whether the number of crossings is in doubt: it changes when the surface moves by `band` in radius or
-/// height, or the ray sideways.
-bool isNearlyTangent(const ProfilePoints& profile, const Ray& ray, double band);
+    explicit HalfPlaneRay(const Ray& ray);
+    /// h (y - oy) + v q: the height over the point of closest approach, times h.
+    long double rise(long double y) const { return h * (y - oy) + v * q; }
+    /// sqrt(x^2 - e^2), zero nearer to the axis.
+    long double width(long double x) const { return std::sqrt(std::max(0.L, (x - e) * (x + e))); }
+    /// The way along the ray to radius x and height y, by the better conditioned of the two.
+    long double lengthAt(long double x, long double y, bool forward) const;
+};
+
+/// Distance of the point (r, y) from the curve near t: from its tangent, or from its point where it has none.
+long double distanceFromCurve(const SlowCurve& curve, double t, long double r, long double y);
 
 } // namespace vitrine::test

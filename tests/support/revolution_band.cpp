@@ -1,0 +1,232 @@
+#include "support/revolution_band.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace vitrine::test {
+
+int inSector(const Ray& ray, double s, double phiMaxDegrees, double band) {
+    if (phiMaxDegrees >= 360) return 1;
+    const long double x = ray.o.x + (long double)(s)*ray.d.x, z = ray.o.z + (long double)(s)*ray.d.z;
+    const long double end = (long double)(radians(phiMaxDegrees));
+    for (const long double edge : {0.L, end}) {
+        const long double along = x * std::cos(edge) + z * std::sin(edge);
+        const long double aside = z * std::cos(edge) - x * std::sin(edge);
+        if (std::hypot(std::min(along, 0.L), aside) <= band) return 0;
+    }
+    long double phi = std::atan2(z, x);
+    if (phi < 0) phi += 2 * std::acos(-1.L);
+    return phi < end ? 1 : -1;
+}
+
+namespace {
+
+struct Place {
+    bool ours;
+    long double u;
+    bool forward;
+    int sector;
+};
+
+class Scene {
+  public:
+    Scene(const ProfilePoints& profile, const Ray& ray, long double band) : ray_(ray), band_(band) {
+        for (const std::vector<V2d>& points : profile)
+            curves_.emplace_back(points);
+        isLoop_ = profile.front().front() == profile.back().back();
+        firstIsFree_ = !isLoop_ && profile.front().front().x > 0;
+        lastIsFree_ = !isLoop_ && profile.back().back().x > 0;
+    }
+
+    long double end() const { return (long double)(curves_.size()); }
+    bool isLoop() const { return isLoop_; }
+    bool isVertical() const { return ray_.h == 0; }
+
+    SlowCurve::Sample at(long double u) const {
+        const int segment = std::min(int(u), int(curves_.size()) - 1);
+        return curves_[std::size_t(segment)].at(u - segment);
+    }
+
+    /// From the half of the ray's hyperbola, by Gauss and Newton from the points level with it and above it.
+    long double distance(long double u, bool forward) const {
+        const SlowCurve::Sample c = at(u);
+        const long double side = forward ? 1 : -1, wide = ray_.width(c.x);
+        long double best = std::numeric_limits<long double>::infinity();
+        // g = q + h l is what parts the halves; a vertical ray has one half, g = q.
+        const auto descend = [&](long double l) {
+            for (int i = 0; i < 6; ++i) {
+                if (!isVertical() && side * (ray_.q + ray_.h * l) < 0) l = -ray_.q / ray_.h;
+                const long double g = ray_.q + ray_.h * l, r = std::hypot(ray_.e, g);
+                const long double ex = c.x - r, ey = c.y - ray_.oy - ray_.v * l;
+                best = std::min(best, std::hypot(ex, ey));
+                const long double tx = r > 0 ? ray_.h * g / r : side * ray_.h, slope2 = tx * tx + ray_.v * ray_.v;
+                if (!(slope2 > 0)) break;
+                const long double step = (ex * tx + ey * ray_.v) / slope2;
+                l += step;
+                if (std::fabs(step) < 1e-3L * band_) break;
+            }
+        };
+        if (ray_.v != 0) descend((c.y - ray_.oy) / ray_.v);
+        if (ray_.h > 0) descend((side * wide - ray_.q) / ray_.h);
+        return best;
+    }
+    /// Distance with the sign of the side: above or below this half of the hyperbola.
+    long double gap(long double u, bool forward) const {
+        const SlowCurve::Sample c = at(u);
+        const long double above =
+            isVertical() ? c.x - ray_.e : ray_.rise(c.y) - (forward ? ray_.v : -ray_.v) * ray_.width(c.x);
+        return above < 0 ? -distance(u, forward) : distance(u, forward);
+    }
+    bool isClose(long double u, bool forward) const { return distance(u, forward) <= band_; }
+    bool isCloseAlong(long double ua, long double ub, bool forward, int steps = 64) const {
+        if (!isClose(ub, forward)) return false;
+        for (int i = 0; i < steps; ++i)
+            if (!isClose(ua + (ub - ua) * i / steps, forward)) return false;
+        for (int joint = 1; joint < int(curves_.size()); ++joint)
+            if (joint > std::min(ua, ub) && joint < std::max(ua, ub) && !isClose(joint, forward)) return false;
+        return true;
+    }
+    /// Whether the halves' common tip is within the band of the stretch of the profile about these places. Next to the
+    /// tip rounding decides which half a crossing is said to be on.
+    bool meetAtTip(const Place& a, const Place& b) const {
+        if (isVertical()) return false;
+        const long double tipY = ray_.oy - ray_.v * ray_.q / ray_.h;
+        for (long double u : {a.u, b.u, (a.u + b.u) / 2}) {
+            for (int i = 0; i < 12; ++i) {
+                const SlowCurve::Sample c = at(u);
+                const long double ex = ray_.e - c.x, ey = tipY - c.y;
+                if (std::hypot(ex, ey) <= band_ && isCloseAlong(a.u, u, a.forward) && isCloseAlong(u, b.u, b.forward))
+                    return true;
+                const long double speed2 = c.dx * c.dx + c.dy * c.dy;
+                if (!(speed2 > 0)) break;
+                const long double next = std::clamp(u + (ex * c.dx + ey * c.dy) / speed2, 0.L, end());
+                if (std::fabs(next - u) < 1e-3L * band_) break;
+                u = next;
+            }
+        }
+        return false;
+    }
+    bool reachesRim(const Place& p) const {
+        return (firstIsFree_ && isCloseAlong(0, p.u, p.forward)) ||
+               (lastIsFree_ && isCloseAlong(p.u, end(), p.forward));
+    }
+    bool meetAcrossLoop(const Place& first, const Place& last) const {
+        return isCloseAlong(0, first.u, first.forward) && isCloseAlong(last.u, end(), last.forward);
+    }
+    /// Whether the gap turns between the places, or beyond them while still in the band.
+    bool turns(long double ua, long double ub, bool forward) const {
+        for (const int side : {-1, 1}) {
+            long double& u = side < 0 ? ua : ub;
+            for (long double step = 0x1p-2L; step > 0x1p-56L;) {
+                const long double next = std::clamp(u + side * step, 0.L, end());
+                if (next != u && isCloseAlong(u, next, forward, 8))
+                    u = next;
+                else
+                    step /= 2;
+            }
+        }
+        constexpr int steps = 128;
+        long double before = gap(ua, forward);
+        bool rises = false, falls = false;
+        for (int i = 1; i <= steps; ++i) {
+            const long double here = gap(ua + (ub - ua) * i / steps, forward);
+            (here > before ? rises : falls) = true;
+            before = here;
+        }
+        return rises && falls;
+    }
+
+  private:
+    std::vector<SlowCurve> curves_;
+    HalfPlaneRay ray_;
+    long double band_;
+    bool isLoop_, firstIsFree_, lastIsFree_;
+};
+
+/// Which connected part of K each place is in.
+class Parts {
+  public:
+    explicit Parts(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t(0)); }
+    std::size_t of(std::size_t i) const {
+        while (parent_[i] != i)
+            i = parent_[i];
+        return i;
+    }
+    void join(std::size_t a, std::size_t b) { parent_[of(b)] = of(a); }
+
+  private:
+    std::vector<std::size_t> parent_;
+};
+
+Parts connect(const Scene& scene, const std::vector<Place>& places) {
+    Parts parts(places.size());
+    for (const bool forward : {false, true}) {
+        std::optional<std::size_t> first, last;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (places[i].forward != forward) continue;
+            if (last && scene.isCloseAlong(places[*last].u, places[i].u, forward)) parts.join(*last, i);
+            if (!first) first = i;
+            last = i;
+        }
+        if (first && scene.isLoop() && scene.meetAcrossLoop(places[*first], places[*last])) parts.join(*first, *last);
+    }
+    for (std::size_t i = 0; i < places.size(); ++i)
+        for (std::size_t k = i + 1; k < places.size(); ++k)
+            if (places[i].forward != places[k].forward && scene.meetAtTip(places[i], places[k])) parts.join(i, k);
+    return parts;
+}
+
+bool isAtRim(const Scene& scene, const std::vector<Place>& part) {
+    bool inside = false, outside = false, atEnd = false;
+    for (const Place& place : part) {
+        inside = inside || place.sector >= 0;
+        outside = outside || place.sector <= 0;
+        atEnd = atEnd || scene.reachesRim(place);
+    }
+    return atEnd || (inside && outside);
+}
+
+bool turnsBack(const Scene& scene, const std::vector<Place>& part) {
+    for (const Place& place : part)
+        if (scene.meetAtTip(place, place)) return true;
+    for (const bool forward : {false, true}) {
+        long double ua = std::numeric_limits<long double>::infinity(), ub = -ua;
+        for (const Place& place : part)
+            if (place.forward == forward) ua = std::min(ua, place.u), ub = std::max(ub, place.u);
+        if (ua <= ub && scene.turns(ua, ub, forward)) return true;
+    }
+    return false;
+}
+
+} // namespace
+
+Judgement judge(const ProfilePoints& profile, double phiMaxDegrees, const Ray& ray, const std::vector<OracleHit>& exact,
+                const std::vector<OracleHit>& ours, double band) {
+    const Scene scene(profile, ray, band);
+    std::vector<Place> places;
+    for (const auto* list : {&exact, &ours})
+        for (const OracleHit& hit : *list)
+            places.push_back({list == &ours, hit.segment + (long double)(hit.t), hit.forward || scene.isVertical(),
+                              inSector(ray, hit.s, phiMaxDegrees, band)});
+    std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.u < b.u; });
+    const Parts parts = connect(scene, places);
+
+    Judgement result;
+    for (std::size_t root = 0; root < places.size(); ++root) {
+        if (parts.of(root) != root) continue;
+        std::vector<Place> members;
+        for (std::size_t i = 0; i < places.size(); ++i)
+            if (parts.of(i) == root) members.push_back(places[i]);
+        int surplus = 0;
+        for (const Place& place : members)
+            if (place.ours || place.sector >= 0) surplus += place.ours ? 1 : -1;
+        if (surplus == 0) continue;
+        if (isAtRim(scene, members) || (surplus % 2 == 0 && turnsBack(scene, members)))
+            result.excused = true;
+        else
+            (surplus > 0 ? result.spurious : result.missed) += std::abs(surplus);
+    }
+    return result;
+}
+
+} // namespace vitrine::test
