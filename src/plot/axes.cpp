@@ -33,7 +33,7 @@ std::vector<double> tickValues(double low, double high, int count) {
     const double step = niceStep((high - low) / count);
     std::vector<double> values;
     for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i)
-        values.push_back(i * step);
+        values.push_back(i * step + 0.); // no negative zero
     return values;
 }
 

@@ -13,23 +13,30 @@ struct Station {
     V2d p, tangent;   ///< of unit length, or zero at cusps
 };
 
-Station stationAt(const BezierCurve& curve, double t, double length) {
+Station stationAt(const BezierCurve& curve, double t) {
     const CurvePoint c = curve.evaluate(t);
-    return {length, curve.curvature(t), c.p, c.d1.length() > 0 ? c.d1.normalized() : V2d(0, 0)};
+    return {0, curve.curvature(t), c.p, c.d1.length() > 0 ? c.d1.normalized() : V2d(0, 0)};
 }
 
 using Stations = std::vector<std::vector<Station>>; ///< of each segment
 
+/// At equal steps of the parameter. Between them lengths are those of chords, scaled so that each segment has its own.
 Stations denseStations(const std::vector<BezierCurve>& segments) {
     Stations result;
-    double length = 0;
+    double start = 0;
     for (const BezierCurve& curve : segments) {
         std::vector<Station> stations;
         for (int i = 0; i <= denseSteps; ++i) {
-            const double t = double(i) / denseSteps;
-            if (i > 0) length += curve.length(double(i - 1) / denseSteps, t).value;
-            stations.push_back(stationAt(curve, t, length));
+            stations.push_back(stationAt(curve, double(i) / denseSteps));
+            if (i > 0)
+                stations[std::size_t(i)].length =
+                    stations[std::size_t(i) - 1].length +
+                    (stations[std::size_t(i)].p - stations[std::size_t(i) - 1].p).length();
         }
+        const double length = curve.length().value, chords = stations.back().length;
+        for (Station& s : stations)
+            s.length = start + (chords > 0 ? s.length * (length / chords) : 0);
+        start += length;
         result.push_back(std::move(stations));
     }
     return result;
@@ -42,7 +49,7 @@ struct CurvatureRange {
     bool isCut() const { return shown < largest; }
 };
 
-/// A tight rim or a cusp must not flatten the rest: four times what nine tenths of the length stay below is shown.
+/// A tight rim or a cusp must not flatten the rest: then four times what nine tenths of the length stay below is shown.
 CurvatureRange rangeOf(const Stations& stations) {
     struct Share {
         double curvature, length;
@@ -65,7 +72,7 @@ CurvatureRange rangeOf(const Stations& stations) {
         below += share.length;
         usual = share.curvature;
     }
-    range.shown = usual > 0 ? std::min(range.largest, 4 * usual) : range.largest;
+    range.shown = range.largest > 8 * usual && usual > 0 ? 4 * usual : range.largest;
     // Nearly straight but for a bend, or curved by rounding alone.
     if (!std::isfinite(range.shown)) range.shown = 100 / total;
     if (range.largest < 1e-9 / total) range = {};
@@ -102,27 +109,34 @@ void drawScaleBar(Figure& figure, const Axes& axes, double scale, const Curvatur
                   const std::string& unit) {
     const double curvature = roundedDown(range.shown / 2);
     const double length = scale * curvature * axes.scale().x;
-    const V2d end = axes.frame().max - V2d(12, 12), start = end - V2d(length, 0);
+    const V2d end = axes.frame().max + V2d(0, 48), start = end - V2d(length, 0);
     figure.begin("comb-scale");
     figure.add(Line{{start, end}, Pen{combInk, 1.6}});
     for (const V2d& p : {start, end})
         figure.add(Line{{p - V2d(0, 3.5), p + V2d(0, 3.5)}, Pen{combInk, 1.2}});
     figure.add(
-        Text{end - V2d(0, 8), "\u03ba = " + shown(curvature) + " " + unit + "^{\u22121}", 9, Anchor::End, combInk});
+        Text{start - V2d(8, -3), "\u03ba = " + shown(curvature) + " " + unit + "^{\u22121}", 9, Anchor::End, combInk});
     figure.end();
 }
 
-void drawTeeth(Figure& figure, const Axes& axes, const std::vector<BezierCurve>& segments, double scale,
-               const CurvatureRange& range) {
-    const double apart = 3 / axes.scale().x;
-    for (const BezierCurve& segment : segments) {
-        const double length = segment.length().value;
-        const int count = std::clamp(int(length / apart), 1, 400);
-        for (int i = 0; i <= count; ++i) {
-            const double t = i == count ? 1 : segment.parameterAtLength(length * i / count);
-            const Station s = stationAt(segment, t, 0);
-            figure.add(Line{axes.at(std::vector<V2d>{s.p, toothEnd(s, scale, range)}), Pen{combInk, 0.6, 0.7}});
-        }
+/// The parameter at which a segment has this length from the profile's beginning.
+double parameterAt(const std::vector<Station>& stations, double length) {
+    const auto after = std::upper_bound(stations.begin() + 1, stations.end() - 1, length,
+                                        [](double value, const Station& s) { return value < s.length; });
+    const auto before = after - 1;
+    const double step = after->length - before->length;
+    const double part = step > 0 ? std::clamp((length - before->length) / step, 0., 1.) : 0;
+    return (double(before - stations.begin()) + part) / denseSteps;
+}
+
+void drawTeeth(Figure& figure, const Axes& axes, const BezierCurve& segment, const std::vector<Station>& stations,
+               double scale, const CurvatureRange& range) {
+    const double apart = 3 / axes.scale().x, start = stations.front().length, end = stations.back().length;
+    const int count = std::clamp(int((end - start) / apart), 1, 400);
+    for (int i = 0; i <= count; ++i) {
+        const double t = i == count ? 1 : parameterAt(stations, lerp(double(i) / count, start, end));
+        const Station s = stationAt(segment, t);
+        figure.add(Line{axes.at(std::vector<V2d>{s.p, toothEnd(s, scale, range)}), Pen{combInk, 0.6, 0.7}});
     }
 }
 
@@ -149,7 +163,8 @@ void drawCurvatureComb(Figure& figure, const Box2d& frame, const ProfileDrawing&
     const Axes axes(figure, frame, Axes::equalScale(Axes::padded(box, 0.07), frame),
                     {"Curvature comb", combNote(range), "*x* (" + drawing.unit + ")", "*y* (" + drawing.unit + ")"});
     if (range.shown > 0) {
-        drawTeeth(figure, axes, drawing.segments, scale, range);
+        for (std::size_t i = 0; i < stations.size(); ++i)
+            drawTeeth(figure, axes, drawing.segments[i], stations[i], scale, range);
         for (const auto& envelope : envelopes)
             figure.add(Line{axes.at(envelope), Pen{combInk, 1}});
         drawScaleBar(figure, axes, scale, range, drawing.unit);

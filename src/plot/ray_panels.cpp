@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <tuple>
+
 namespace vitrine::plot {
 
 namespace {
@@ -43,20 +45,37 @@ void drawBothParts(Figure& figure, const Axes& axes, double low, double high, co
     figure.end();
 }
 
-void drawRootMarks(Figure& figure, const Axes& axes, const RayScene& scene, bool overS) {
-    figure.begin("roots", axes.frame());
-    for (std::size_t i = 0; i < scene.roots.size(); ++i) {
-        const RayRoot& root = scene.roots[i];
-        const V2d p = axes.at(V2d(overS ? root.s : root.y, root.d));
-        if (root.counts())
-            figure.add(Disk{p, 3.4, Pen{paper, 0.9}, Brush{rootInk}});
-        else
-            figure.add(Disk{p, 3, Pen{rootInk, 1}, Brush{paper}});
-        // Roots of a horizontal ray come in pairs, at one place of (y, d): the farther one's number goes below.
-        const bool below = !overS && scene.section.isHorizontal() && root.s > scene.section.sAtClosest();
-        const V2d offset = below ? V2d(6, 10) : V2d(6, -5);
-        figure.add(Text{p + offset, std::to_string(i + 1), 9, Anchor::Start, rootInk, true});
+/// Numbers of roots go to the left on the ray's way towards the axis and to the right on its way out, one below the
+/// other where there is no room beside the mark.
+void drawNumbers(Figure& figure, const std::vector<V2d>& marks, const RayScene& scene) {
+    constexpr double lineHeight = 9.5, offset = 7;
+    for (const bool outwards : {false, true}) {
+        std::vector<std::size_t> order;
+        for (std::size_t i = 0; i < marks.size(); ++i)
+            if ((scene.roots[i].s > scene.section.sAtClosest()) == outwards) order.push_back(i);
+        std::sort(order.begin(), order.end(),
+                  [&](std::size_t a, std::size_t b) { return std::tie(marks[a].y, a) < std::tie(marks[b].y, b); });
+        double free = -infinityD;
+        for (const std::size_t i : order) {
+            const double y = std::max(marks[i].y, free);
+            free = y + lineHeight;
+            const V2d at(marks[i].x + (outwards ? offset : -offset), y + 3);
+            figure.add(Text{at, std::to_string(i + 1), 9, outwards ? Anchor::Start : Anchor::End, rootInk, true});
+        }
     }
+}
+
+void drawRootMarks(Figure& figure, const Axes& axes, const RayScene& scene, bool overS) {
+    std::vector<V2d> marks;
+    figure.begin("roots", axes.frame());
+    for (const RayRoot& root : scene.roots) {
+        marks.push_back(axes.at(V2d(overS ? root.s : root.y, root.d)));
+        if (root.counts())
+            figure.add(Disk{marks.back(), 3.4, Pen{paper, 0.9}, Brush{rootInk}});
+        else
+            figure.add(Disk{marks.back(), 3, Pen{rootInk, 1}, Brush{paper}});
+    }
+    drawNumbers(figure, marks, scene);
     figure.end();
 }
 
