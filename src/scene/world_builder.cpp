@@ -1,5 +1,7 @@
 #include "scene/world_builder.h"
 
+#include "shapes/revolution/revolution.h"
+
 #include <fmt/format.h>
 
 namespace vitrine {
@@ -124,18 +126,27 @@ class WorldBuilder {
         }
     }
 
-    /// Solids that absorb or are nested need an inside and an outside; a plain interface works without (pbrt's).
+    /// Solids that absorb or are nested need an inside and an outside; a plain interface works without (pbrt's), but a
+    /// turned profile that is drawn for glass and does not close is most likely a slip.
     void warnOfOpenGlass(const ShapeNode& node, const std::vector<ShapePtr>& shapes, const MaterialPtr& material) {
         const Interior* interior = material ? material->interior() : nullptr;
-        if (!interior || (!interior->priority && !interior->absorption)) return;
+        if (!interior) return;
+        const bool needsSolid = interior->priority || interior->absorption;
         // A solid may be put together from several open shapes: only a shape that cannot be a part of one is named.
-        for (const auto& shape : shapes)
-            if (shape->kind() == GeometryKind::User && !shape->isClosed())
+        for (const auto& shape : shapes) {
+            const auto* turned = dynamic_cast<const Revolution*>(shape.get());
+            if (turned && !turned->whyOpen().empty())
+                context_.diagnostics().warning(
+                    node.place, fmt::format("this revolution is open: {}; its dielectric needs other shapes of the "
+                                            "same material to bound a solid",
+                                            turned->whyOpen()));
+            else if (needsSolid && shape->kind() == GeometryKind::User && !shape->isClosed())
                 context_.diagnostics().warning(
                     node.place,
                     fmt::format("the normals of this {} do not point out of a closed solid (it is open, reversed or "
                                 "mirrored): its dielectric needs other shapes of the same material to bound one",
                                 node.type));
+        }
     }
 
     void placeLights() {

@@ -196,6 +196,12 @@ float Revolution::pdf(const PrimitiveHit& hit) const {
     return float(pdfAt(hit.v, describe(hit.u, hit.v, angle(hit.u)).n));
 }
 
+std::string_view Revolution::whyOpen() const {
+    if (!profile_.isClosed())
+        return "its profile neither ends on the axis at both ends nor comes back to its beginning";
+    return phi_.isFull() ? "" : "\"phimax\" is below 360";
+}
+
 std::size_t Revolution::memoryBytes() const {
     return sizeof(*this) + roots_.memoryBytes() + table_.memoryBytes() + (arcLength_ ? arcLength_->memoryBytes() : 0) +
            profile_.parts().size() * sizeof(ProfilePart);

@@ -64,6 +64,9 @@ class Revolution final : public Shape {
     bool isClosed() const override { return profile_.isClosed() && phi_.isFull() && !placement_.flips(); }
     std::size_t memoryBytes() const override;
 
+    /// Why the surface bounds no solid, for a message; empty when it does.
+    std::string_view whyOpen() const;
+
     const Profile& profile() const { return profile_; }
     bool isFullTurn() const { return phi_.isFull(); }
     double phiMaxDegrees() const { return phi_.isFull() ? 360 : degrees(phi_.max()); }
