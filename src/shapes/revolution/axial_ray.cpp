@@ -8,19 +8,26 @@ AxialRay::AxialRay(const Ray& ray) {
     reach = maxAbs(ray.o);
     if (!(largest > 1 / limit) || !(largest < limit) || !(reach < limit) || !isFinite(ray.d) || !isFinite(ray.o))
         return;
-    const V3d scaled = ray.d / largest;
-    const double horizontal = std::sqrt(scaled.x * scaled.x + scaled.z * scaled.z);
-    const double scaledLength = std::sqrt(horizontal * horizontal + scaled.y * scaled.y);
-    length = largest * scaledLength;
-    h = horizontal / scaledLength;
-    v = scaled.y / scaledLength;
+    // Squares of what is neither very long nor very short need no scaling.
+    const bool isUsual = largest > 1e-100 && largest < 1e100;
+    const double unit = isUsual ? 1 : largest;
+    const V3d d = isUsual ? ray.d : ray.d / largest;
+    const double horizontal2 = d.x * d.x + d.z * d.z;
+    const double scaledLength = std::sqrt(horizontal2 + d.y * d.y), horizontal = std::sqrt(horizontal2);
+    const double inverse = 1 / scaledLength;
+    length = unit * scaledLength;
+    h = horizontal * inverse;
+    v = d.y * inverse;
+    // For a horizontal ray any height outside the slab is infinitely far.
+    inverseV = std::abs(v) > 1e-300 ? scaledLength / d.y : std::copysign(1e300, v);
     ox = ray.o.x;
     oy = ray.o.y;
     oz = ray.o.z;
-    dx = scaled.x / scaledLength;
-    dz = scaled.z / scaledLength;
+    dx = d.x * inverse;
+    dz = d.z * inverse;
     // For a vertical ray every horizontal direction will do.
-    const double ux = horizontal > 0 ? scaled.x / horizontal : 1, uz = horizontal > 0 ? scaled.z / horizontal : 0;
+    const double inverseHorizontal = horizontal > 0 ? 1 / horizontal : 0;
+    const double ux = horizontal > 0 ? d.x * inverseHorizontal : 1, uz = d.z * inverseHorizontal;
     e = std::abs(differenceOfProducts(ox, uz, oz, ux));
     q = ox * ux + oz * uz;
     vq = v * q;

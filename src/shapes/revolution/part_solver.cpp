@@ -5,52 +5,41 @@
 namespace vitrine {
 
 PartSolver::PartSolver(const BezierCurve& curve, unsigned index)
-    : index_(index), points_(curve.degree() + 1), coefficients_(2 * curve.degree() + 1) {
+    : index_(index), points_(curve.degree() + 1), coefficients_(2 * curve.degree() + 1), curve_(curve) {
     const std::vector<double> x = curve.coordinates(0), y = curve.coordinates(1);
+    x0_ = x.front();
+    y0_ = y.front();
+    x1_ = x.back();
+    y1_ = y.back();
+    const CurveSample half = curve_.at(0.5);
+    xHalf_ = half.x;
+    yHalf_ = half.y;
     // At a pole x^2 and the ray's distance both vanish: there the height must be exact to keep F's relative accuracy.
-    if (x.front() == 0)
-        middle_ = y.front();
-    else if (x.back() == 0)
-        middle_ = y.back();
-    else
-        middle_ = (y.front() + y.back()) / 2;
+    middle_ = x0_ == 0 ? y0_ : x1_ == 0 ? y1_ : (y0_ + y1_) / 2;
     std::vector<double> height = y;
     xMax_ = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
         height[i] -= middle_;
         xMax_ = std::max(xMax_, std::abs(x[i]));
     }
-    for (int i = 0; i < points_; ++i) {
-        const double b = bernstein::binomial(curve.degree(), i);
-        numbers_.push_back(b * x[std::size_t(i)]);
-        numbers_.push_back(b * y[std::size_t(i)]);
+    const std::vector<double> x2 = bernstein::multiply(x, x), y2 = bernstein::multiply(height, height),
+                              y1 = bernstein::elevate(height, 2 * curve.degree());
+    quadruples_ = (coefficients_ + 3) / 4;
+    inLast_ = (1u << ((coefficients_ - 1) % 4)) - 1;
+    squares_.resize(std::size_t(quadruples_));
+    for (std::size_t k = 0; k < x2.size(); ++k) {
+        Quadruple& four = squares_[k / 4];
+        four.x2[k % 4] = x2[k];
+        four.y1[k % 4] = y1[k];
+        four.y2[k % 4] = y2[k];
     }
-    for (const std::vector<double>& block :
-         {x, y, bernstein::multiply(x, x), bernstein::elevate(height, 2 * curve.degree()),
-          bernstein::multiply(height, height)})
-        numbers_.insert(numbers_.end(), block.begin(), block.end());
+    control_ = x;
+    control_.insert(control_.end(), y.begin(), y.end());
 }
 
-PartSolver::Sample PartSolver::at(double t) const {
-    const double* b = scaled();
-    const int n = points_ - 1;
-    const bool low = t <= 0.5;
-    const double base = low ? 1 - t : t, inverse = 1 / base, z = (low ? t : 1 - t) * inverse;
-    // Horner's rule for the value and its derivative by z, from the far end of the coefficients.
-    const double* c = low ? b + 2 * n : b;
-    const int step = low ? -2 : 2;
-    double qx = c[0], qy = c[1], dqx = 0, dqy = 0, power = 1;
-    for (int k = 1; k <= n; ++k) {
-        c += step;
-        dqx = std::fma(dqx, z, qx);
-        dqy = std::fma(dqy, z, qy);
-        qx = std::fma(qx, z, c[0]);
-        qy = std::fma(qy, z, c[1]);
-        if (k < n) power *= base;
-    }
-    // x = base^n q(z), and dz/dt = 1/u^2 or -1/t^2.
-    const double full = power * base, sign = low ? power : -power;
-    return {full * qx, full * qy, sign * (dqx * inverse - n * qx), sign * (dqy * inverse - n * qy)};
+std::size_t PartSolver::memoryBytes() const {
+    return sizeof(*this) + curve_.memoryBytes() + squares_.size() * sizeof(Quadruple) +
+           control_.size() * sizeof(double);
 }
 
 } // namespace vitrine

@@ -8,8 +8,8 @@
 // A touch within rounding (two roots that cannot be told apart) is no crossing.
 #pragma once
 
-#include "shapes/revolution/bezier_curve.h"
 #include "shapes/revolution/hit_collector.h"
+#include "shapes/revolution/part_curve.h"
 
 namespace vitrine {
 
@@ -24,7 +24,7 @@ class PartSolver {
             solveSteep(hits);
     }
 
-    std::size_t memoryBytes() const { return sizeof(*this) + numbers_.size() * sizeof(double); }
+    std::size_t memoryBytes() const;
 
   private:
     static constexpr int maxPoints = BezierCurve::maxDegree + 1;
@@ -32,36 +32,49 @@ class PartSolver {
     /// Halvings after which roots count as one place: 2^-44 of the part.
     static constexpr int maxDepth = 44;
 
-    struct Sample {
-        double x, y, dx, dy;
+    /// A stretch of the part at whose ends a function of the parameter differs in sign.
+    struct Bracket {
+        double ta, tb;
+        bool negativeAtA;
     };
-    Sample at(double t) const;
+    /// Four coefficients each: x^2, y - middle and its square, in degree 2n.
+    struct Quadruple {
+        Lanes x2, y1, y2;
+    };
+    struct Quadratic; ///< F in degree 2n, for one ray
+    struct Branch;    ///< of the hyperbola: one sign of g
+
+    struct Root {
+        double t, x, y;
+    };
+
+    /// The root in the bracket, from where the search for it may begin.
+    template <class Function>
+    Root findRoot(const Function& function, Bracket bracket, double guess) const;
+    template <class Function>
+    bool offerRoot(const Function& function, Bracket bracket, double guess, HitCollector& hits) const;
 
     void solveSteep(HitCollector& hits) const;
-    void isolateSteep(double* c, double ta, double tb, int depth, HitCollector& hits) const;
+    void solveSeveral(const Quadratic& f, int variations, HitCollector& hits) const;
+    bool isolateSteep(const Quadratic& f, double* c, double ta, double tb, int depth, HitCollector& hits) const;
+    bool isInOrder(const AxialRay& ray) const { return (y1_ > y0_) == (ray.v > 0); }
     double steepNoise(const AxialRay& ray, double ta, double tb) const;
-    void refineSteep(double ta, double tb, bool negativeAtA, double guess, HitCollector& hits) const;
 
-    struct Branch; ///< of the hyperbola: one sign of g
     void solveShallow(HitCollector& hits) const;
     bool clipToReach(const AxialRay& ray, double* x, double* p, double& ta, double& tb) const;
-    double reachAt(const double* x, double radius) const;
+    double reachAt(double radius) const;
     void isolateShallow(const Branch& branch, double* x, double* p, double ta, double tb, int depth,
                         HitCollector& hits) const;
-    void refineShallow(const Branch& branch, double ta, double tb, bool negativeAtA, HitCollector& hits) const;
-
-    const double* scaled() const { return numbers_.data(); }    ///< (x, y) times binomials, interleaved
-    const double* xs() const { return scaled() + 2 * points_; } ///< control points
-    const double* ys() const { return xs() + points_; }
-    const double* xSquared() const { return ys() + points_; }           ///< x^2, in degree 2n
-    const double* raised() const { return xSquared() + coefficients_; } ///< y - middle, in degree 2n
-    const double* squared() const { return raised() + coefficients_; }  ///< (y - middle)^2
 
     unsigned index_;
-    int points_, coefficients_; ///< n + 1, 2n + 1
-    double middle_;             ///< reference height, of the part's middle or its pole
-    double xMax_;               ///< of the control points: |x|
-    std::vector<double> numbers_;
+    int points_, coefficients_, quadruples_; ///< n + 1, 2n + 1, and that in fours
+    unsigned inLast_;                        ///< lanes of the last quadruple before the last coefficient
+    double x0_, y0_, x1_, y1_, xHalf_, yHalf_;
+    double middle_; ///< reference height, of the part's middle or its pole
+    double xMax_;   ///< of the control points: |x|
+    PartCurve curve_;
+    std::vector<Quadruple> squares_;
+    std::vector<double> control_; ///< x of the control points, then y
 };
 
 } // namespace vitrine

@@ -4,7 +4,7 @@
 // lies between its chord and the parallel tangent. So G is enclosed by a polynomial of degree n and a band, whose width
 // falls with the square of the interval's.
 #include "shapes/revolution/bernstein.h"
-#include "shapes/revolution/part_solver.h"
+#include "shapes/revolution/refine.h"
 
 namespace vitrine {
 
@@ -16,6 +16,13 @@ struct PartSolver::Branch {
     /// Rounding in G's values near (x, p).
     double noise(double x, double p) const { return 0x1p-49 * (2 * std::abs(ray.vq) + std::abs(p) + std::abs(w) * x); }
     double value(double x, double p) const { return p - w * ray.halfWidth(x); }
+    Derivatives operator()(const CurveSample& c) const {
+        const double p = ray.P(c.y), s = ray.halfWidth(c.x);
+        if (!(s > 0)) return {p, ray.h * c.dy, ray.h * c.ddy};
+        const double dsdx = c.x / s, turn = dsdx * c.dx;
+        return {p - w * s, ray.h * c.dy - w * turn, ray.h * c.ddy - w * ((sqr(c.dx) - sqr(turn)) / s + dsdx * c.ddx)};
+    }
+    bool isForward(double) const { return forward; }
     /// dS/dx = x / S; infinite where the ray is closest to the axis.
     double slope(double x) const {
         const double s = ray.halfWidth(x);
@@ -64,8 +71,8 @@ void PartSolver::solveShallow(HitCollector& hits) const {
     double x[maxPoints], p[maxPoints];
     double low = infinityD, high = -infinityD;
     for (int k = 0; k < points_; ++k) {
-        x[k] = xs()[k];
-        p[k] = ray.P(ys()[k]);
+        x[k] = control_[std::size_t(k)];
+        p[k] = ray.P(control_[std::size_t(points_ + k)]);
         low = std::min(low, p[k]);
         high = std::max(high, p[k]);
     }
@@ -88,7 +95,7 @@ bool PartSolver::clipToReach(const AxialRay& ray, double* x, double* p, double& 
     const bool startsInside = x[0] < ray.e, endsInside = x[points_ - 1] < ray.e;
     if (startsInside && endsInside) return false;
     if (startsInside == endsInside) return true;
-    const double t = reachAt(x, ray.e);
+    const double t = reachAt(ray.e);
     double left[maxPoints];
     if (startsInside) {
         bernstein::split(x, left, points_, t);
@@ -107,32 +114,22 @@ bool PartSolver::clipToReach(const AxialRay& ray, double* x, double* p, double& 
 }
 
 /// Where x(t) crosses `radius`.
-double PartSolver::reachAt(const double* x, double radius) const {
-    const bool below = x[0] < radius;
-    double ta = 0, tb = 1;
-    double t = (radius - x[0]) / (x[points_ - 1] - x[0]);
-    for (int i = 1; i < 100; ++i) {
-        const Sample c = at(t);
-        ((c.x < radius) == below ? ta : tb) = t;
-        double next = t + (radius - c.x) / c.dx;
-        if (!(next >= ta && next <= tb) || i % 8 == 0) next = (ta + tb) / 2;
-        const double step = std::abs(next - t);
-        t = next;
-        if (step <= 0x1p-52) break;
-    }
-    return t;
+double PartSolver::reachAt(double radius) const {
+    const auto excess = [&](const CurveSample& c) { return Derivatives{c.x - radius, c.dx, c.ddx}; };
+    return findRoot(excess, {0, 1, x0_ < radius}, (radius - x0_) / (x1_ - x0_)).t;
 }
 
 void PartSolver::isolateShallow(const Branch& branch, double* x, double* p, double ta, double tb, int depth,
                                 HitCollector& hits) const {
     const int last = points_ - 1;
-    const bool negativeAtA = branch.value(x[0], p[0]) < 0;
-    const bool changes = negativeAtA != (branch.value(x[last], p[last]) < 0);
+    const double valueAtA = branch.value(x[0], p[0]), valueAtB = branch.value(x[last], p[last]);
+    const bool changes = (valueAtA < 0) != (valueAtB < 0);
     const auto [low, high] = branch.enclose(x, p, points_);
     if (!changes && (low > 0 || high < 0)) return;
     const bool isNoise = std::max(-low, high) <= std::max(branch.noise(x[0], p[0]), branch.noise(x[last], p[last]));
     if (depth == 0 || isNoise || branch.isMonotone(x, p, points_)) {
-        if (changes) refineShallow(branch, ta, tb, negativeAtA, hits);
+        const double secant = ta + (tb - ta) * (valueAtA / (valueAtA - valueAtB));
+        if (changes) offerRoot(branch, {ta, tb, valueAtA < 0}, secant, hits);
         return;
     }
     double leftX[maxPoints], leftP[maxPoints];
@@ -141,29 +138,6 @@ void PartSolver::isolateShallow(const Branch& branch, double* x, double* p, doub
     const double tm = (ta + tb) / 2;
     isolateShallow(branch, leftX, leftP, ta, tm, depth - 1, hits);
     isolateShallow(branch, x, p, tm, tb, depth - 1, hits);
-}
-
-void PartSolver::refineShallow(const Branch& branch, double ta, double tb, bool negativeAtA, HitCollector& hits) const {
-    const AxialRay& ray = branch.ray;
-    double t = (ta + tb) / 2, lastStep = 0;
-    Sample c;
-    for (int i = 1; i < 100; ++i) {
-        c = at(t);
-        const double g = branch.value(c.x, ray.P(c.y));
-        ((g < 0) == negativeAtA ? ta : tb) = t;
-        const double width = ray.halfWidth(c.x);
-        const double slope = ray.h * c.dy - (width > 0 ? branch.w * c.x * c.dx / width : 0);
-        double next = t - g / slope;
-        const bool newton = next >= ta && next <= tb && i % 8 != 0;
-        if (!newton) next = (ta + tb) / 2;
-        const double step = next - t;
-        t = next;
-        c.x += step * c.dx;
-        c.y += step * c.dy;
-        if (std::abs(step) <= 0x1p-51 || (newton && std::abs(step) < std::min(0x1p-32, 0x1p-10 * lastStep))) break;
-        lastStep = newton ? std::abs(step) : 0;
-    }
-    hits.offer(index_, t, c.x, c.y, branch.forward);
 }
 
 } // namespace vitrine

@@ -1,31 +1,111 @@
 // Rays that are not nearly horizontal: one polynomial of degree 2n.
 #include "shapes/revolution/bernstein.h"
-#include "shapes/revolution/part_solver.h"
+#include "shapes/revolution/refine.h"
+
+#include <bit>
 
 namespace vitrine {
 
-void PartSolver::solveSteep(HitCollector& hits) const {
-    const AxialRay& ray = hits.ray();
-    const double v2 = sqr(ray.v), h2 = sqr(ray.h), p = ray.P(middle_);
-    const double linear = 2 * ray.h * p, constant = sqr(p) + v2 * sqr(ray.e);
-    const double *x2 = xSquared(), *y1 = raised(), *y2 = squared();
-    double c[maxCoefficients];
-    for (int k = 0; k < coefficients_; ++k)
-        c[k] = (h2 * y2[k] + linear * y1[k]) + (constant - v2 * x2[k]);
-    const int last = coefficients_ - 1;
-    c[0] = ray.F(xs()[0], ray.P(ys()[0]));
-    c[last] = ray.F(xs()[points_ - 1], ray.P(ys()[points_ - 1]));
+struct PartSolver::Quadratic {
+    const AxialRay& ray;
+    const PartSolver& part;
+    double v2, h2, linear, constant;
+    double f0, fHalf, f1; ///< at the part's ends and middle
 
-    const int variations = bernstein::signVariations(c, coefficients_);
+    Quadratic(const AxialRay& r, const PartSolver& p)
+        : ray(r), part(p), v2(sqr(r.v)), h2(sqr(r.h)), f0(r.F(p.x0_, r.P(p.y0_))), fHalf(r.F(p.xHalf_, r.P(p.yHalf_))),
+          f1(r.F(p.x1_, r.P(p.y1_))) {
+        const double atMiddle = r.P(p.middle_);
+        linear = 2 * r.h * atMiddle;
+        constant = sqr(atMiddle) + v2 * sqr(r.e);
+    }
+
+    Lanes coefficients(const Quadruple& four) const {
+        return (broadcast(h2) * four.y2 + broadcast(linear) * four.y1) +
+               (broadcast(constant) - broadcast(v2) * four.x2);
+    }
+    /// Sign variations along the coefficients, those at the ends by the end points.
+    int variations() const {
+        unsigned before = f0 < 0;
+        int count = 0;
+        for (int i = 0; i < part.quadruples_; ++i) {
+            unsigned negative = lessMask(coefficients(part.squares_[std::size_t(i)]), Lanes{});
+            if (i == 0) negative = (negative & ~1u) | before;
+            if (i == part.quadruples_ - 1) negative = (negative & part.inLast_) | (f1 < 0 ? ~part.inLast_ & 15u : 0u);
+            count += std::popcount((negative ^ (negative << 1 | before)) & 15u);
+            before = negative >> 3;
+        }
+        return count;
+    }
+
+    double operator[](const CurveSample& c) const { return ray.F(c.x, ray.P(c.y)); }
+    /// Half of F'' and F' and F: only ratios count.
+    Derivatives operator()(const CurveSample& c) const {
+        const double p = ray.P(c.y), hp = ray.h * p, slopeY = ray.h * c.dy;
+        return {0.5 * ray.F(c.x, p), hp * c.dy - v2 * (c.x * c.dx),
+                (slopeY * slopeY + hp * c.ddy) - v2 * (c.dx * c.dx + c.x * c.ddx)};
+    }
+    bool isForward(double y) const { return (ray.P(y) < 0) == (ray.v < 0); }
+
+    // F of a part that is nearly straight is nearly the parabola a t^2 + b t + f0 through the three values.
+    double a() const { return 2 * ((f0 - fHalf) + (f1 - fHalf)); }
+    double b() const { return 4 * fHalf - 3 * f0 - f1; }
+    /// The parabola's root where it rises or falls.
+    double guess(bool rises) const {
+        const double slope = safeSqrt(sqr(b()) - 4 * a() * f0) * (rises ? 1 : -1);
+        return b() * slope > 0 ? -2 * f0 / (b() + slope) : (slope - b()) / (2 * a());
+    }
+    double vertex() const {
+        const double t = -b() / (2 * a());
+        return t > 0.01 && t < 0.99 ? t : 0.5;
+    }
+};
+
+void PartSolver::solveSteep(HitCollector& hits) const {
+    const Quadratic f(hits.ray(), *this);
+    const int variations = f.variations();
     if (variations == 0) return;
     if (variations == 1) {
-        int k = 1;
-        while ((c[k] < 0) == (c[0] < 0))
-            ++k;
-        refineSteep(0, 1, c[0] < 0, (k - 1 + c[k - 1] / (c[k - 1] - c[k])) / last, hits);
+        if (hits.settles(y0_, y1_)) return;
+        offerRoot(f, {0, 1, f.f0 < 0}, f.guess(f.f0 < 0), hits);
         return;
     }
-    isolateSteep(c, 0, 1, maxDepth, hits);
+    solveSeveral(f, variations, hits);
+}
+
+/// As it runs up or down a part, a steep ray meets what it meets in order: after a hit that is the first so far, all
+/// others of the part come later.
+void PartSolver::solveSeveral(const Quadratic& f, int variations, HitCollector& hits) const {
+    const bool negative = f.f0 < 0;
+    const double t = f.vertex();
+    if (variations == 2) {
+        const CurveSample c = curve_.at(t);
+        if ((f[c] < 0) != negative) {
+            const auto solveHalf = [&](bool first) {
+                if (hits.settles(first ? y0_ : c.y, first ? c.y : y1_)) return true;
+                return offerRoot(f, first ? Bracket{0, t, negative} : Bracket{t, 1, !negative},
+                                 f.guess(negative == first), hits);
+            };
+            const bool inOrder = isInOrder(f.ray);
+            if (!(solveHalf(inOrder) && hits.wantsOne())) solveHalf(!inOrder);
+            return;
+        }
+    }
+    double c[maxCoefficients + 3];
+    for (int i = 0; i < quadruples_; ++i) {
+        const Lanes four = f.coefficients(squares_[std::size_t(i)]);
+        for (int k = 0; k < 4; ++k)
+            c[4 * i + k] = four[k];
+    }
+    c[0] = f.f0;
+    c[coefficients_ - 1] = f.f1;
+    double left[maxCoefficients];
+    bernstein::split(c, left, coefficients_, t);
+    const bool inOrder = isInOrder(f.ray);
+    const auto solveHalf = [&](bool first) {
+        return first ? isolateSteep(f, left, 0, t, maxDepth - 1, hits) : isolateSteep(f, c, t, 1, maxDepth - 1, hits);
+    };
+    if (!solveHalf(inOrder)) solveHalf(!inOrder);
 }
 
 /// Rounding in F's coefficients over [ta, tb]: of the terms' size there, which is largest at the ends of what is
@@ -35,57 +115,34 @@ double PartSolver::steepNoise(const AxialRay& ray, double ta, double tb) const {
     const double p = std::abs(ray.P(middle_));
     double largest = 0;
     for (const double t : {ta, tb}) {
-        const Sample c = at(t);
+        const CurveSample c = curve_.at(t);
         largest = std::max(largest, sqr(ray.h * (c.y - middle_)) + sqr(ray.v * c.x));
     }
     return 16 * eps * (largest + sqr(p) + sqr(ray.v * ray.e));
 }
 
-void PartSolver::isolateSteep(double* c, double ta, double tb, int depth, HitCollector& hits) const {
+/// True when the rest of the part is settled by a hit.
+bool PartSolver::isolateSteep(const Quadratic& f, double* c, double ta, double tb, int depth,
+                              HitCollector& hits) const {
     const int variations = bernstein::signVariations(c, coefficients_);
-    if (variations == 0) return;
+    if (variations == 0) return false;
     const double tm = (ta + tb) / 2;
     bool certain = variations == 1 || depth == 0;
     if (!certain && depth < maxDepth - 12) {
         double largest = 0;
         for (int k = 0; k < coefficients_; ++k)
             largest = std::max(largest, std::abs(c[k]));
-        certain = largest <= steepNoise(hits.ray(), ta, tb);
+        certain = largest <= steepNoise(f.ray, ta, tb);
     }
     if (certain) {
-        if (variations % 2 == 1) refineSteep(ta, tb, c[0] < 0, tm, hits);
-        return;
+        if (variations % 2 == 0) return false;
+        return offerRoot(f, {ta, tb, c[0] < 0}, f.guess(c[0] < 0), hits) && hits.wantsOne();
     }
     double left[maxCoefficients];
     bernstein::halve(c, left, coefficients_);
-    isolateSteep(left, ta, tm, depth - 1, hits);
-    isolateSteep(c, tm, tb, depth - 1, hits);
-}
-
-void PartSolver::refineSteep(double ta, double tb, bool negativeAtA, double guess, HitCollector& hits) const {
-    const AxialRay& ray = hits.ray();
-    const double v2 = sqr(ray.v);
-    double t = guess > ta && guess < tb ? guess : (ta + tb) / 2, lastStep = 0;
-    Sample c;
-    // Newton's method, kept in the bracket by bisection; F comes from the curve itself, not from its coefficients, so
-    // the root is as exact as the point.
-    for (int i = 1; i < 100; ++i) {
-        c = at(t);
-        const double p = ray.P(c.y), f = ray.F(c.x, p);
-        ((f < 0) == negativeAtA ? ta : tb) = t;
-        double next = t - f / (2 * (ray.h * p * c.dy - v2 * c.x * c.dx));
-        const bool newton = next >= ta && next <= tb && i % 8 != 0;
-        if (!newton) next = (ta + tb) / 2;
-        const double step = next - t;
-        t = next;
-        c.x += step * c.dx;
-        c.y += step * c.dy;
-        // Once Newton's steps shrink a thousandfold they shrink quadratically: this one was the last, and so short that
-        // the curve is its tangent.
-        if (std::abs(step) <= 0x1p-51 || (newton && std::abs(step) < std::min(0x1p-32, 0x1p-10 * lastStep))) break;
-        lastStep = newton ? std::abs(step) : 0;
-    }
-    hits.offer(index_, t, c.x, c.y, (ray.P(c.y) < 0) == (ray.v < 0));
+    if (isInOrder(f.ray))
+        return isolateSteep(f, left, ta, tm, depth - 1, hits) || isolateSteep(f, c, tm, tb, depth - 1, hits);
+    return isolateSteep(f, c, tm, tb, depth - 1, hits) || isolateSteep(f, left, ta, tm, depth - 1, hits);
 }
 
 } // namespace vitrine

@@ -4,14 +4,23 @@ namespace vitrine {
 
 namespace {
 
-/// A Bernstein polynomial of these coefficients at t: de Casteljau's value, by the weights of the basis, in O(n).
-long double weightedMean(const std::vector<long double>& c, long double t) {
+// Differences of smooth curves cancel by up to 2^n.
+#ifdef __SIZEOF_FLOAT128__
+__extension__ using Wide = __float128;
+#else
+using Wide = long double;
+#endif
+
+/// A Bernstein polynomial of these coefficients at t < 1: de Casteljau's value, by the weights of the basis, in O(n).
+Wide weightedMean(const std::vector<Wide>& c, double t) {
     const std::size_t n = c.size() - 1;
-    long double weight = std::pow(1 - t, (long double)(n)), sum = 0;
-    if (t == 0) return c[0];
+    const Wide ratio = Wide(t) / (1 - Wide(t));
+    Wide weight = 1, sum = 0;
+    for (std::size_t k = 0; k < n; ++k)
+        weight *= 1 - Wide(t);
     for (std::size_t k = 0; k <= n; ++k) {
         sum += weight * c[k];
-        weight *= (long double)(n - k) / (long double)(k + 1) * (t / (1 - t));
+        weight *= Wide(double(n - k)) / Wide(double(k + 1)) * ratio;
     }
     return sum;
 }
@@ -21,13 +30,13 @@ long double weightedMean(const std::vector<long double>& c, long double t) {
 PowerForm::PowerForm(const std::vector<V2d>& points, double centre) : centre_(centre), c_(points.size()) {
     const std::size_t n = points.size() - 1;
     for (int axis = 0; axis < 2; ++axis) {
-        std::vector<long double> difference;
+        std::vector<Wide> difference;
         for (const V2d& p : points)
             difference.push_back(p[axis]);
-        long double binomial = 1;
+        Wide binomial = 1;
         for (std::size_t k = 0; k <= n; ++k) {
-            c_[k][axis] = double(binomial * weightedMean(difference, centre));
-            binomial *= (long double)(n - k) / (long double)(k + 1);
+            c_[k][axis] = double(binomial * (centre < 1 ? weightedMean(difference, centre) : difference.back()));
+            binomial *= Wide(double(n - k)) / Wide(double(k + 1));
             for (std::size_t i = 0; i + 1 < difference.size(); ++i)
                 difference[i] = difference[i + 1] - difference[i];
             difference.pop_back();

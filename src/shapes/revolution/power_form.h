@@ -12,7 +12,7 @@ namespace vitrine {
 /// Rajan 1987, "On the numerical condition of polynomials in Bernstein form"): fit for low degrees and calm curves.
 class PowerForm {
   public:
-    /// O(n^2), in long double: the k-th differences of the control points, evaluated at the centre.
+    /// O(n^2), in the machine's widest type: the k-th differences of the control points, evaluated at the centre.
     explicit PowerForm(const std::vector<V2d>& points, double centre = 0.5);
 
     V2d point(double t) const {
@@ -33,6 +33,8 @@ class PowerForm {
         return {p, d, half * 2.};
     }
     const CurvePointError& error() const { return error_; }
+    /// Of (t - centre)^k.
+    const std::vector<V2d>& coefficients() const { return c_; }
 
   private:
     double centre_;

