@@ -42,6 +42,10 @@ class Bsdf {
     }
     /// Something besides delta lobes: worth a shadow ray.
     bool isNonSpecular() const { return lobes() & (lobe::diffuse | lobe::glossy); }
+    /// How wide the narrowest lobe is, as the alpha of its microfacets: 0 for delta lobes, 1 for diffuse ones.
+    float roughness() const {
+        return visit([](const auto& b) { return b.roughness(); });
+    }
     SampledSpectrum f(const V3f& wo, const V3f& wi, TransportMode mode) const {
         return visit([&](const auto& b) { return b.f(wo, wi, mode); });
     }

@@ -14,6 +14,7 @@ class ConductorBsdf {
     ConductorBsdf(const TrowbridgeReitz& distribution, const SampledSpectrum& eta, const SampledSpectrum& k)
         : eta_(eta), k_(k), distribution_(distribution) {}
 
+    float roughness() const { return distribution_.roughness(); }
     unsigned lobes() const {
         return lobe::reflection | (distribution_.effectivelySmooth() ? lobe::specular : lobe::glossy);
     }

@@ -14,6 +14,7 @@ class DielectricBsdf {
     explicit DielectricBsdf(float eta, const TrowbridgeReitz& distribution = {})
         : eta_(eta), distribution_(distribution), smooth_(isSmooth()) {}
 
+    float roughness() const { return smooth_ ? 0 : distribution_.roughness(); }
     unsigned lobes() const {
         const unsigned sides = eta_ == 1 ? lobe::transmission : lobe::reflection | lobe::transmission;
         return sides | (smooth_ ? lobe::specular : lobe::glossy);

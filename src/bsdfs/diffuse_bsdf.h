@@ -11,6 +11,7 @@ class DiffuseBsdf {
   public:
     explicit DiffuseBsdf(const SampledSpectrum& reflectance) : value_(reflectance * invPi) {}
 
+    float roughness() const { return 1; }
     unsigned lobes() const { return value_.isBlack() ? 0 : lobe::reflection | lobe::diffuse; }
     SampledSpectrum f(const V3f& wo, const V3f& wi, TransportMode) const {
         return wo.z * wi.z > 0 ? value_ : SampledSpectrum();

@@ -27,6 +27,8 @@ class TrowbridgeReitz {
 
     float alphaX() const { return alphaX_; }
     float alphaY() const { return alphaY_; }
+    /// The smaller alpha; 0 for what is treated as a mirror.
+    float roughness() const { return effectivelySmooth() ? 0 : std::min(alphaX_, alphaY_); }
     /// To be treated as a mirror: float has not the digits for so narrow a lobe.
     bool effectivelySmooth() const { return std::max(alphaX_, alphaY_) < 1e-3f; }
     /// Doubles roughness below 0.3 and bounds it to [0.1, 0.3], for paths that are to end in fewer fireflies.

@@ -12,6 +12,7 @@ class ThinDielectricBsdf {
   public:
     explicit ThinDielectricBsdf(float eta) : eta_(eta) {}
 
+    float roughness() const { return 0; }
     unsigned lobes() const { return lobe::reflection | lobe::transmission | lobe::specular; }
     SampledSpectrum f(const V3f&, const V3f&, TransportMode) const { return {}; }
     float pdf(const V3f&, const V3f&, TransportMode) const { return 0; }

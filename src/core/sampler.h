@@ -62,8 +62,13 @@ class SampleStream {
     V2f get2D();
     /// Continue at this dimension (one per get1D or get2D): lets walks skip numbers that they do not need.
     void setDimension(std::uint32_t dimension) { dimension_ = dimension; }
+    std::uint32_t dimension() const { return dimension_; }
 
   private:
+    // Apart from the others, which get by without saving registers.
+    float stratified1D(std::uint64_t bits) const;
+    V2f stratified2D(std::uint64_t bits) const;
+
     std::uint64_t key_;       ///< of (seed, pixel); for Independent also of the sample
     std::uint32_t index_ = 0; ///< Stratified: sample within the strata; Sobol: sample with its 32 bits reversed
     std::uint32_t dimension_ = 0;

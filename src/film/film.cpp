@@ -11,6 +11,7 @@ namespace vitrine {
 namespace {
 
 constexpr std::size_t sumsPerHalf = Film::sumsPerPixel / 2, weightSum = 3;
+constexpr std::size_t whiteSums = 4;
 
 FilmSettings checked(FilmSettings s) {
     const V2i size = s.cropSize();
@@ -34,7 +35,7 @@ FilmSettings checked(FilmSettings s) {
 
 Film::Film(const FilmSettings& settings) : settings_(checked(settings)), filter_(settings.filter) {
     const std::size_t pixels = std::size_t(settings_.cropSize().x) * std::size_t(settings_.cropSize().y);
-    sums_.resize(pixels * sumsPerPixel);
+    sums_.resize(pixels * sumsPerPixel + whiteSums);
     bad_.resize(pixels);
 }
 
@@ -58,6 +59,36 @@ void Film::add(const V2i& pixel, const SampledSpectrum& radiance, const SampledW
     bad_[at] += !sound;
 }
 
+void Film::addPassWavelengths(const SampledWavelengths& lambda) {
+    const Rgb white =
+        settings_.colorSpace->fromXyz(sensorXyz(settings_.colorSpace->illuminant().sample(lambda), lambda));
+    FixedSum* sums = &sums_[pixelCount() * sumsPerPixel];
+    for (std::size_t c = 0; c < 3; ++c)
+        sums[c].add(double(white[int(c)]));
+    sums[weightSum].add(1);
+}
+
+V3d Film::whiteScale() const {
+    const FixedSum* sums = &sums_[pixelCount() * sumsPerPixel];
+    const double count = sums[weightSum].value();
+    if (!(count > 0)) return V3d(1);
+    // By the wavelengths' own steps of a nanometre.
+    V3d exact(0);
+    for (int k = 0; k < int(lambdaMax - lambdaMin); ++k) {
+        const float lambda = lambdaMin + float(k) + 0.5f;
+        const Xyz xyz(cieX()(lambda), cieY()(lambda), cieZ()(lambda));
+        exact += toDouble(settings_.colorSpace->fromXyz(xyz)) * double(settings_.colorSpace->illuminant()(lambda));
+    }
+    V3d scale;
+    for (int c = 0; c < 3; ++c) {
+        scale[c] = exact[c] * count / sums[std::size_t(c)].value();
+        // A pass or two may miss a channel's part of the spectrum.
+        constexpr double most = 4;
+        if (!(scale[c] > 1 / most && scale[c] < most)) return V3d(1);
+    }
+    return scale;
+}
+
 void Film::merge(const Film& other) {
     if (other.settings_.cropMin != settings_.cropMin || other.settings_.cropMax != settings_.cropMax ||
         other.settings_.resolution != settings_.resolution)
@@ -68,11 +99,14 @@ void Film::merge(const Film& other) {
             sound &= sums_[j].add(other.sums_[j]);
         bad_[i] += other.bad_[i] + !sound;
     }
+    for (std::size_t j = pixelCount() * sumsPerPixel; j < sums_.size(); ++j)
+        sums_[j].add(other.sums_[j]);
 }
 
 Image Film::image() const {
     Image image{settings_.cropSize().x, settings_.cropSize().y, 3, {}};
     image.pixels.reserve(bad_.size() * 3);
+    const V3d scale = whiteScale();
     for (std::size_t i = 0; i < bad_.size(); ++i) {
         FixedSum total[sumsPerHalf];
         for (std::size_t c = 0; c < sumsPerHalf; ++c) {
@@ -81,7 +115,7 @@ Image Film::image() const {
         }
         const double weight = total[weightSum].value();
         for (std::size_t c = 0; c < 3; ++c)
-            image.pixels.push_back(weight != 0 ? float(total[c].value() / weight) : 0);
+            image.pixels.push_back(weight != 0 ? float(total[c].value() * scale[int(c)] / weight) : 0);
     }
     return image;
 }

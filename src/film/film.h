@@ -56,6 +56,10 @@ class Film {
     /// \param half which of the two half-buffers (even or odd samples) the sample belongs to: 0 or 1
     void add(const V2i& pixel, const SampledSpectrum& radiance, const SampledWavelengths& lambda, float weight,
              unsigned half);
+    /// Says that a whole pass used these wavelengths for all its samples. Few wavelengths sum up a spectrum wrongly, and
+    /// all pixels in the same way: image() scales each channel by what the passes' wavelengths make of the colour
+    /// space's white. Not for several threads at a time.
+    void addPassWavelengths(const SampledWavelengths& lambda);
     /// Adds another film's sums (same settings). \throws std::invalid_argument when the sizes differ
     void merge(const Film& other);
 
@@ -72,9 +76,13 @@ class Film {
     /// The first pixel that had one, in the full picture's coordinates; empty when none had.
     std::optional<V2i> firstBadPixel() const;
 
-    /// Raw sums for checkpoints: per pixel of the crop window and half: r, g, b, weight.
+    /// Raw sums for checkpoints: per pixel of the crop window and half: r, g, b, weight; in the end those of the white
+    /// that addPassWavelengths() saw, and their count.
     std::span<const FixedSum> sums() const { return sums_; }
     std::span<FixedSum> sums() { return sums_; }
+    /// Per pixel: samples that badSamples() counts.
+    std::span<const std::uint32_t> badCounts() const { return bad_; }
+    std::span<std::uint32_t> badCounts() { return bad_; }
 
   private:
     std::size_t index(const V2i& pixel) const {
@@ -82,9 +90,13 @@ class Film {
                 std::size_t(pixel.x - settings_.cropMin.x));
     }
 
+    std::size_t pixelCount() const { return bad_.size(); }
+    /// What the channels of image() are multiplied by.
+    V3d whiteScale() const;
+
     FilmSettings settings_;
     Filter filter_;
-    std::vector<FixedSum> sums_;     ///< [pixel][half][r g b weight]
+    std::vector<FixedSum> sums_;     ///< [pixel][half][r g b weight], then white's [r g b count]
     std::vector<std::uint32_t> bad_; ///< per pixel, as no thread shares a pixel with another
 };
 

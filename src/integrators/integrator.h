@@ -6,6 +6,9 @@
 
 #include <atomic>
 #include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <vector>
 
 namespace vitrine {
 
@@ -19,14 +22,31 @@ struct PassRange {
 struct RenderCounters {
     std::atomic<std::uint64_t> samples{0};   ///< camera samples done
     std::atomic<std::uint64_t> lostExits{0}; ///< Walk::lostExits(): solids touch, or are open
+    /// Of photon integrators: paths traced from lights, those that left photons, photons kept, points that gathered and
+    /// pairs of a point and a photon in its disk.
+    std::atomic<std::uint64_t> photonPaths{0}, landedPaths{0}, photons{0}, gatherPoints{0}, gathered{0};
+    std::atomic<std::uint64_t> photonBytes{0};              ///< most that the photons of a pass took
+    std::atomic<float> smallestRadius{0}, largestRadius{0}; ///< of the disks of the last pass; 0: none
 };
 
+/// Belongs to one render: it may keep what it needs from pass to pass.
 class Integrator {
   public:
     virtual ~Integrator() = default;
-    /// Adds `passes` to the film with the threads of the calling task arena. Passes are independent: any grouping of
-    /// the same passes gives the same film.
-    virtual void addPasses(const World& world, PassRange passes, Film& film, RenderCounters& counters) const = 0;
+    /// Whether it can do anything with this scene. \throws std::invalid_argument saying why not
+    virtual void check(const World& world) const { (void)world; }
+    /// Adds `passes` to the film with the threads of the calling task arena.
+    virtual void addPasses(const World& world, PassRange passes, Film& film, RenderCounters& counters) = 0;
+
+    /// Any grouping and order of the same passes gives the same film. False: passes must be added from 0 on, one after the
+    /// other, with the state that they left.
+    virtual bool passesAreIndependent() const { return true; }
+    /// What passes left for the next ones, for checkpoints.
+    virtual std::vector<std::byte> saveState() const { return {}; }
+    /// \throws std::invalid_argument for what saveState() of a render of this size cannot have written
+    virtual void restoreState(std::span<const std::byte> state) {
+        if (!state.empty()) throw std::invalid_argument("a state of another integrator");
+    }
 };
 
 } // namespace vitrine

@@ -1,7 +1,7 @@
 #include "integrators/path.h"
 
-#include "core/sampling.h"
 #include "integrators/tiles.h"
+#include "paths/direct_light.h"
 
 namespace vitrine {
 
@@ -9,13 +9,6 @@ namespace {
 
 /// Fixed dimensions of the sample streams: filter and lens, then this many a bounce.
 constexpr std::uint32_t cameraDimensions = 2, bounceDimensions = 5;
-
-/// The last scattering, for weighing light that the path then runs into.
-struct LastBounce {
-    V3d p;
-    float pdf = 0;
-    bool specular = true; ///< also for the camera: no light sample competes
-};
 
 /// Wavelengths of a pixel's samples: a random start and steps of the golden ratio, whatever the sampler. Any run of samples
 /// is spread evenly, so that bright lights do not show colour noise.
@@ -30,27 +23,7 @@ class WavelengthRotation {
     std::uint32_t start_;
 };
 
-float misWeight(const LastBounce& last, bool nee, float pdfLight) {
-    return last.specular || !nee ? 1.f : powerHeuristic(last.pdf, pdfLight);
-}
-
 } // namespace
-
-SampledSpectrum PathIntegrator::directLight(const World& world, const Walk& walk, const Vertex& vertex,
-                                            const Bsdf& bsdf, float uLight, const V2f& u) const {
-    const auto chosen = world.lights.sample(uLight);
-    const auto light = chosen.light->sample(vertex.point().p, u, walk.lambda());
-    if (!light) return SampledSpectrum(0.f);
-    const V3f wo = vertex.frame.toLocal(vertex.wo), wi = vertex.frame.toLocal(light->wi);
-    const SampledSpectrum f = bsdf.f(wo, wi, TransportMode::Radiance) * std::abs(wi.z);
-    if (f.isBlack()) return SampledSpectrum(0.f);
-    const SampledSpectrum arriving =
-        light->l * shadowTransmittance(world, vertex, light->shadow, light->wi, walk.interior(), walk.lambda());
-    if (arriving.isBlack()) return SampledSpectrum(0.f);
-    const float pdfLight = chosen.probability * light->pdf;
-    const float weight = light->isDelta ? 1.f : powerHeuristic(pdfLight, bsdf.pdf(wo, wi, TransportMode::Radiance));
-    return f * arriving * (weight / pdfLight);
-}
 
 SampledSpectrum PathIntegrator::radiance(const World& world, const Ray& ray, const SampledWavelengths& lambda,
                                          SampleStream& stream, std::uint64_t& lostExits) const {
@@ -69,23 +42,10 @@ SampledSpectrum PathIntegrator::follow(const World& world, Walk& walk, SampleStr
     Vertex vertex;
     for (int depth = 0;;) {
         if (!walk.advance(vertex)) {
-            const V3f w = toFloat(walk.ray.d);
-            for (const Light* light : world.infiniteLights)
-                result += walk.beta * light->escaped(w, walk.lambda()) *
-                          misWeight(last, settings_.nee, world.lights.probability(light) * light->pdf(w));
+            result += walk.beta * escapedLight(world, walk, last);
             return result;
         }
-        if (const AreaLight* light = vertex.surface->light) {
-            const SampledSpectrum emitted = light->emitted(vertex.point(), vertex.wo, walk.lambda());
-            if (!emitted.isBlack()) {
-                float weight = 1;
-                if (!last.specular && settings_.nee)
-                    weight = misWeight(last, true,
-                                       world.lights.probability(light) *
-                                           light->pdf(last.p, vertex.hit.primitive, vertex.point()));
-                result += walk.beta * emitted * weight;
-            }
-        }
+        if (vertex.surface->light) result += walk.beta * emittedLight(world, walk, vertex, last);
         if (!vertex.scatters) {
             walk.passThrough(vertex);
             continue;
@@ -106,7 +66,8 @@ SampledSpectrum PathIntegrator::follow(const World& world, Walk& walk, SampleStr
         const float uLobe = stream.get1D();
         const auto scattered = walk.scatter(vertex, bsdf, uLobe, stream.get2D());
         if (!scattered) return result;
-        last = {vertex.point().p, scattered->pdf, scattered->specular};
+        // Without next-event estimation nothing competes with running into lights.
+        last = {vertex.point().p, scattered->pdf, scattered->specular || !settings_.nee};
         regularize |= settings_.regularize && !scattered->specular;
 
         // As pbrt-v4: survival by the throughput as it was before refraction squeezed or spread the beam.
@@ -118,7 +79,7 @@ SampledSpectrum PathIntegrator::follow(const World& world, Walk& walk, SampleStr
     }
 }
 
-void PathIntegrator::addPasses(const World& world, PassRange passes, Film& film, RenderCounters& counters) const {
+void PathIntegrator::addPasses(const World& world, PassRange passes, Film& film, RenderCounters& counters) {
     const FilmSettings& settings = film.settings();
     const auto renderPixel = [&](const V2i& pixel) {
         const WavelengthRotation wavelengths(sampler_.seed, pixel);

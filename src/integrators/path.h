@@ -27,7 +27,7 @@ class PathIntegrator final : public Integrator {
     PathIntegrator(const PathSettings& settings, const SamplerSettings& sampler)
         : settings_(settings), sampler_(sampler) {}
 
-    void addPasses(const World& world, PassRange passes, Film& film, RenderCounters& counters) const override;
+    void addPasses(const World& world, PassRange passes, Film& film, RenderCounters& counters) override;
 
     /// Radiance that arrives along `ray` (unit direction), as one sample. Values in secondary wavelengths stay valid
     /// with `lambda` as given, also when the path ended them on its way.
@@ -37,8 +37,6 @@ class PathIntegrator final : public Integrator {
 
   private:
     SampledSpectrum follow(const World& world, Walk& walk, SampleStream& stream) const;
-    SampledSpectrum directLight(const World& world, const Walk& walk, const Vertex& vertex, const Bsdf& bsdf,
-                                float uLight, const V2f& u) const;
 
     PathSettings settings_;
     SamplerSettings sampler_;

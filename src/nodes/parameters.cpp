@@ -298,6 +298,12 @@ bool ParameterSet::remove(std::string_view name) {
     return std::erase_if(own_, [&](const Entry& entry) { return entry.parameter->name == name; }) > 0;
 }
 
+void ParameterSet::takeReadsFrom(const ParameterSet& copy) const {
+    asked_.insert(asked_.end(), copy.asked_.begin(), copy.asked_.end());
+    for (Entry& entry : own_)
+        entry.read |= copy.wasRead(entry.parameter->name);
+}
+
 ParameterList ParameterSet::own() const {
     ParameterList result;
     for (const auto& entry : own_)

@@ -175,6 +175,8 @@ class ParameterSet {
     const ParameterList& defaults() const;
     /// Names of the own parameters, in the order written.
     std::vector<std::string> names() const;
+    /// What was looked up in a copy counts as looked up here.
+    void takeReadsFrom(const ParameterSet& copy) const;
     /// Every name that was looked up so far.
     const std::vector<std::string>& askedNames() const { return asked_; }
 

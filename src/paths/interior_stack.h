@@ -40,6 +40,10 @@ class InteriorStack {
 
     /// What fills the space here; null: vacuum.
     const Interior* current() const;
+    bool operator==(const InteriorStack& other) const {
+        return std::equal(entries_.begin(), entries_.begin() + size_, other.entries_.begin(),
+                          other.entries_.begin() + other.size_);
+    }
     bool empty() const { return size_ == 0; }
     int size() const { return size_; }
 

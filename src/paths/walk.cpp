@@ -7,10 +7,6 @@ namespace {
 /// A path that passes this many surfaces without scattering is caught in coincident ones.
 constexpr int maxPasses = 10000;
 
-const Interior* interiorOf(const Surface& surface) {
-    return surface.material ? surface.material->interior() : nullptr;
-}
-
 } // namespace
 
 float shadingNormalCorrection(const SurfacePoint& point, const V3f& wo, const V3f& wi) {
@@ -26,16 +22,9 @@ SampledSpectrum transmittance(const Interior* interior, double distance, const S
     return mapSpectrum(sigma, [&](float s) { return s > 0 ? std::exp(-s * float(distance)) : 1.f; });
 }
 
-void Walk::keepHero() {
-    if (lambda_.secondaryTerminated()) return;
-    lambda_.terminateSecondary();
-    beta = SampledSpectrum(beta[0] * spectrumSamples, 0, 0, 0);
-}
-
 void Walk::passThrough(const Vertex& vertex) {
     const V3f d = -vertex.wo;
-    if (const Interior* interior = interiorOf(*vertex.surface))
-        interior_.cross(*interior, d.dot(vertex.point().ng) < 0);
+    if (const Interior* interior = vertex.surface->interior()) interior_.cross(*interior, d.dot(vertex.point().ng) < 0);
     ray = Ray{offsetOrigin(vertex.point(), d), ray.d, ray.tMax - vertex.hit.s};
 }
 
@@ -53,8 +42,7 @@ bool Walk::advance(Vertex& vertex) {
         vertex.surface = &world_.surfaces[vertex.hit.id];
         vertex.wo = -toFloat(ray.d);
 
-        const Interior* interior = interiorOf(*vertex.surface);
-        const bool isInterface = !vertex.surface->material || vertex.surface->material->isInterface();
+        const Interior* interior = vertex.surface->interior();
         vertex.crossing = {};
         if (interior && interior->priority) {
             vertex.crossing = interior_.crossing(*interior, vertex.wo.dot(point.ng) > 0);
@@ -62,7 +50,7 @@ bool Walk::advance(Vertex& vertex) {
         } else if (!interior)
             vertex.crossing.outside = interior_.current();
 
-        vertex.scatters = !isInterface && vertex.crossing.isReal;
+        vertex.scatters = !vertex.surface->isInterface() && vertex.crossing.isReal;
         if (vertex.scatters) vertex.frame = Frame(point.ns, point.dpdu);
         if (vertex.scatters || vertex.surface->light) return true;
         passThrough(vertex);
@@ -71,17 +59,17 @@ bool Walk::advance(Vertex& vertex) {
 }
 
 Bsdf Walk::bsdfAt(const Vertex& vertex) {
+    const bool wasWhole = !lambda_.secondaryTerminated();
     MaterialPoint at;
     at.p = vertex.point().p;
     at.uv = vertex.point().uv;
     if (const Interior* outside = vertex.crossing.outside; outside && outside->priority) {
         at.etaOutside = (*outside->eta)(lambda_.hero());
         // A conductor or a diffuse surface does not bend light: only a dielectric's angle depends on wavelength.
-        if (!outside->eta->isConstant() && interiorOf(*vertex.surface)) keepHero();
+        if (!outside->eta->isConstant() && vertex.surface->interior()) lambda_.terminateSecondary();
     }
-    const bool whole = !lambda_.secondaryTerminated();
     Bsdf bsdf = vertex.surface->material->bsdf(at, lambda_);
-    if (whole && lambda_.secondaryTerminated()) beta = SampledSpectrum(beta[0] * spectrumSamples, 0, 0, 0);
+    if (wasWhole && lambda_.secondaryTerminated()) beta = SampledSpectrum(beta[0] * spectrumSamples, 0, 0, 0);
     return bsdf;
 }
 
@@ -93,7 +81,7 @@ std::optional<Scattered> Walk::scatter(const Vertex& vertex, const Bsdf& bsdf, f
     const SurfacePoint& point = vertex.point();
 
     const float outgoing = vertex.wo.dot(point.ng), incoming = wi.dot(point.ng);
-    if (const Interior* interior = interiorOf(*vertex.surface)) {
+    if (const Interior* interior = vertex.surface->interior()) {
         // Where the shading normal tilts a refraction back to its own side, or a reflection through the surface, the
         // path would be in a solid that it never entered.
         if (sample->isTransmission() != (outgoing * incoming < 0)) return {};
@@ -104,7 +92,7 @@ std::optional<Scattered> Walk::scatter(const Vertex& vertex, const Bsdf& bsdf, f
     if (sample->isTransmission()) etaScale *= sqr(sample->eta);
     if (beta.isBlack()) return {};
     ray = Ray{offsetOrigin(point, wi), toDouble(wi), infinityD};
-    return Scattered{wi, sample->pdf, sample->isSpecular()};
+    return Scattered{wi, sample->pdf, sample->isSpecular(), sample->isTransmission()};
 }
 
 SampledSpectrum shadowTransmittance(const World& world, const Vertex& vertex, const Ray& toLight, const V3f& wi,
@@ -118,7 +106,7 @@ SampledSpectrum shadowTransmittance(const World& world, const Vertex& vertex, co
 
     InteriorStack solids = interior;
     const float incoming = wi.dot(vertex.point().ng);
-    const Interior* own = interiorOf(*vertex.surface);
+    const Interior* own = vertex.surface->interior();
     if (own && incoming * vertex.wo.dot(vertex.point().ng) < 0) solids.cross(*own, incoming < 0);
     const double length = shadow.d.length();
     if (!world.hasNestedDielectrics) {
@@ -133,11 +121,10 @@ SampledSpectrum shadowTransmittance(const World& world, const Vertex& vertex, co
         result *= transmittance(solids.current(), (met ? hit.s : shadow.tMax) * length, lambda);
         if (!met) return result;
         const Surface& surface = world.surfaces[hit.id];
-        const Interior* solid = interiorOf(surface);
-        const bool isInterface = !surface.material || surface.material->isInterface();
+        const Interior* solid = surface.interior();
         const bool entering = wi.dot(hit.point.ng) < 0;
         const bool overruled = solid && !solids.crossing(*solid, entering).isReal;
-        if (!isInterface && !overruled) break;
+        if (!surface.isInterface() && !overruled) break;
         if (solid) solids.cross(*solid, entering);
         shadow.o = offsetOrigin(hit.point, wi);
         shadow.tMax -= hit.s;

@@ -22,8 +22,9 @@ struct Vertex {
 /// What the walk did at a vertex.
 struct Scattered {
     V3f wi;        ///< world
-    float pdf = 0; ///< per solid angle; meaningless for specular scattering
+    float pdf = 0; ///< per solid angle; of specular scattering the lobe's probability
     bool specular = false;
+    bool transmission = false;
 };
 
 /// State of one path. Radiance mode starts at the camera, importance mode at a light; they differ by the eta^2 factor
@@ -57,8 +58,6 @@ class Walk {
     std::optional<Scattered> scatter(const Vertex& vertex, const Bsdf& bsdf, float uc, const V2f& u);
 
   private:
-    void keepHero();
-
     const World& world_;
     TransportMode mode_;
     SampledWavelengths lambda_;

@@ -9,7 +9,7 @@ void World::prepare() {
 
     bool hasInteriors = false;
     for (const Surface& surface : surfaces) {
-        const Interior* interior = surface.material ? surface.material->interior() : nullptr;
+        const Interior* interior = surface.interior();
         if (!interior) continue;
         hasInteriors = true;
         hasNestedDielectrics |= interior->priority.has_value();
@@ -30,8 +30,7 @@ std::vector<const Interior*> leftAlong(const World& world, Ray ray) {
         CasterHit hit;
         if (!world.caster->intersect(ray, hit)) break;
         const V3f d = toFloat(ray.d);
-        const auto& material = world.surfaces[hit.id].material;
-        if (const Interior* interior = material ? material->interior() : nullptr) {
+        if (const Interior* interior = world.surfaces[hit.id].interior()) {
             const auto open = std::find(entered.rbegin(), entered.rend(), interior);
             if (hit.point.ng.dot(d) < 0)
                 entered.push_back(interior);

@@ -11,8 +11,22 @@ namespace vitrine {
 
 /// A surface by the number the caster reports (CasterShape::id).
 struct Surface {
-    MaterialPtr material;
+    MaterialPtr material; ///< null: none, as an interface
     const AreaLight* light = nullptr;
+
+    explicit Surface(MaterialPtr made, const AreaLight* shines = nullptr)
+        : material(std::move(made)), light(shines), interior_(material ? material->interior() : nullptr),
+          isInterface_(!material || material->isInterface()) {}
+
+    /// Not null for a surface that bounds a dielectric solid.
+    const Interior* interior() const { return interior_; }
+    /// Light passes as if it were not there.
+    bool isInterface() const { return isInterface_; }
+
+  private:
+    // Asked at every vertex: a copy is nearer than a virtual function.
+    const Interior* interior_;
+    bool isInterface_;
 };
 
 /// Everything that integrators read. Immutable once prepared; shared by all threads.

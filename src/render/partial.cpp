@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstring>
 #include <fstream>
 
@@ -13,7 +14,7 @@ namespace vitrine {
 
 namespace {
 
-constexpr char magic[8] = {'V', 'I', 'T', 'P', 'A', 'R', 'T', '1'};
+constexpr char magic[8] = {'V', 'I', 'T', 'P', 'A', 'R', 'T', '2'};
 
 /// 64-bit mixing checksum: against cut or flipped files, not against forgery.
 class Checksum {
@@ -52,9 +53,10 @@ class Writer {
     }
     const std::string& header() const { return header_; }
     /// Of the header and of what follows it.
-    std::uint64_t checksumWith(std::span<const std::byte> following) const {
+    std::uint64_t checksumWith(std::span<const std::span<const std::byte>> following) const {
         Checksum all = checksum_;
-        all.add(following.data(), following.size());
+        for (const auto& bytes : following)
+            all.add(bytes.data(), bytes.size());
         return all.value();
     }
 
@@ -115,14 +117,12 @@ FilmSettings readFilmSettings(Reader& r, const std::string& path) {
 }
 
 /// What a damaged header asks for must not be allocated.
-void checkSize(std::istream& in, const std::string& path, const FilmSettings& settings) {
+void checkSize(std::istream& in, const std::string& path, double bytes) {
     const auto here = in.tellg();
     in.seekg(0, std::ios::end);
     const double left = double(in.tellg() - here);
     in.seekg(here);
-    const V2i size = settings.cropSize();
-    if (double(size.x) * double(size.y) * Film::sumsPerPixel * sizeof(FixedSum) + sizeof(std::uint64_t) != left)
-        throw FileError(path, "the file is cut short or damaged");
+    if (bytes > left) throw FileError(path, "the file is cut short or damaged");
 }
 
 } // namespace
@@ -187,9 +187,12 @@ void writePartial(const std::string& path, const PartialRender& state, const Fil
         w.bytes(matrix.getValue(), 16 * sizeof(double));
     }
     writeFilmSettings(w, film.settings());
-    const auto sums = std::as_bytes(film.sums());
-    const std::uint64_t checksum = w.checksumWith(sums);
-    replaceFile(path, {std::as_bytes(std::span(w.header())), sums, std::as_bytes(std::span(&checksum, 1))});
+    w.value(std::uint64_t(state.integratorState.size()));
+    const std::array<std::span<const std::byte>, 3> body = {std::as_bytes(film.sums()), std::as_bytes(film.badCounts()),
+                                                            std::span(state.integratorState)};
+    const std::uint64_t checksum = w.checksumWith(body);
+    replaceFile(path, {std::as_bytes(std::span(w.header())), body[0], body[1], body[2],
+                       std::as_bytes(std::span(&checksum, 1))});
 }
 
 LoadedPartial readPartial(const std::string& path) {
@@ -220,13 +223,19 @@ LoadedPartial readPartial(const std::string& path) {
     }
     try {
         const FilmSettings settings = readFilmSettings(r, path);
-        checkSize(in, path, settings);
+        const auto stateSize = r.value<std::uint64_t>();
+        const V2i size = settings.cropSize();
+        checkSize(in, path, double(size.x) * double(size.y) * double(Film::bytesPerPixel) + double(stateSize));
         LoadedPartial loaded{std::move(state), Film(settings)};
         r.bytes(loaded.film.sums().data(), loaded.film.sums().size_bytes());
+        r.bytes(loaded.film.badCounts().data(), loaded.film.badCounts().size_bytes());
+        loaded.state.integratorState.resize(stateSize);
+        r.bytes(loaded.state.integratorState.data(), stateSize);
         const std::uint64_t expected = r.checksum();
         std::uint64_t stored;
         if (!in.read(reinterpret_cast<char*>(&stored), sizeof stored) || stored != expected)
             throw FileError(path, "the file is damaged (its checksum differs)");
+        if (in.peek() != std::istream::traits_type::eof()) throw FileError(path, "the file is damaged");
         return loaded;
     } catch (const std::invalid_argument&) {
         throw FileError(path, "the file is damaged");

@@ -33,6 +33,8 @@ struct PartialRender {
     PassSet passes;
     double seconds = 0;                   ///< render time spent so far
     std::map<std::string, M44d> matrices; ///< ImageMetadata::matrices of the picture
+    /// Integrator::saveState() after the last pass; empty where passes are independent.
+    std::vector<std::byte> integratorState;
 };
 
 /// Writes state and the film's sums beside `path`, then renames: a kill never leaves half a file. \throws FileError

@@ -114,6 +114,7 @@ SessionEnd Session::run(const SessionOptions& options, const std::function<void(
                 if (options.errorLimit > 0) error = film_.estimatedRelMse();
                 if (!options.checkpointFile.empty() &&
                     secondsSince(start) - lastCheckpoint >= options.checkpointInterval) {
+                    state_.integratorState = integrator_.saveState();
                     writePartial(options.checkpointFile, state_, film_);
                     lastCheckpoint = secondsSince(start);
                 }
@@ -124,6 +125,7 @@ SessionEnd Session::run(const SessionOptions& options, const std::function<void(
             }
         }
     }
+    state_.integratorState = integrator_.saveState();
     if (!options.checkpointFile.empty()) writePartial(options.checkpointFile, state_, film_);
     SessionProgress last = progress();
     last.passesDone = state_.passes.size();

@@ -32,7 +32,7 @@ enum class SessionEnd { Done, TimeLimit, ErrorLimit, Interrupted };
 class Session {
   public:
     /// \param state what the film already holds (a resumed checkpoint) or an empty one with fingerprint and name
-    Session(const World& world, const Integrator& integrator, Film& film, PartialRender& state)
+    Session(const World& world, Integrator& integrator, Film& film, PartialRender& state)
         : world_(world), integrator_(integrator), film_(film), state_(state) {}
 
     /// Adds the passes that are missing. `interrupted` is asked between chunks: the chunk under way is finished, so
@@ -42,7 +42,7 @@ class Session {
 
   private:
     const World& world_;
-    const Integrator& integrator_;
+    Integrator& integrator_;
     Film& film_;
     PartialRender& state_;
 };

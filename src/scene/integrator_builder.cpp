@@ -1,6 +1,7 @@
 #include "scene/integrator_builder.h"
 
 #include "integrators/path.h"
+#include "integrators/photon_mapping.h"
 #include "scene/registry.h"
 
 #include <fmt/format.h>
@@ -21,9 +22,48 @@ std::unique_ptr<Integrator> path(const ParameterSet& p, const SamplerSettings& s
     return std::make_unique<PathIntegrator>(s, sampler);
 }
 
+PhotonMappingSettings photonMapping(const ParameterSet& p) {
+    PhotonMappingSettings s;
+    s.maxDepth = s.eye.maxDepth = p.getInteger("maxdepth", s.maxDepth);
+    if (s.maxDepth < 0) p.error("maxdepth", "\"maxdepth\" must not be negative");
+    s.photonsPerPass = p.getInteger("photonsperiteration", -1);
+    if (s.photonsPerPass == 0 || s.photonsPerPass < -1)
+        p.error("photonsperiteration", "\"photonsperiteration\" must be positive, or -1 for as many as pixels");
+    s.rule = p.getChoice("radiusrule", "shared", {"shared", "perpoint"}) == "shared" ? RadiusRule::Shared
+                                                                                     : RadiusRule::PerPoint;
+    s.alpha = p.getFloat("alpha", float(s.alpha));
+    if (!(s.alpha > 0 && s.alpha <= 1)) p.error("alpha", "\"alpha\" must be above 0 and at most 1");
+    s.eye.radius = p.getFloat("radius", -1);
+    if (p.has("radius") && !(s.eye.radius > 0 || s.eye.radius == -1))
+        p.error("radius", "\"radius\" must be positive, or -1 for a number of pixels");
+    s.eye.radiusInPixels = p.getFloat("radiuspixels", s.eye.radiusInPixels);
+    if (!(s.eye.radiusInPixels > 0)) p.error("radiuspixels", "\"radiuspixels\" must be positive");
+    s.eye.directByPhotons = p.getBool("directbyphotons", false);
+    s.kernel = p.getChoice("kernel", "epanechnikov", {"constant", "epanechnikov"}) == "constant" ? Kernel::Constant
+                                                                                                 : Kernel::Epanechnikov;
+    return s;
+}
+
+std::unique_ptr<Integrator> sppm(const ParameterSet& p, const SamplerSettings& sampler) {
+    PhotonMappingSettings s = photonMapping(p);
+    s.search = p.getChoice("lookup", "grid", {"grid", "naive"}) == "grid" ? PhotonSearch::Grid : PhotonSearch::Naive;
+    return std::make_unique<PhotonMappingIntegrator>(s, sampler);
+}
+
+std::unique_ptr<Integrator> ppm(const ParameterSet& p, const SamplerSettings& sampler) {
+    PhotonMappingSettings s = photonMapping(p);
+    s.fixedEyePaths = s.eye.branch = true;
+    s.eyePathsPerPixel = p.getInteger("hitpointsperpixel", 4);
+    if (s.eyePathsPerPixel < 1 || s.eyePathsPerPixel > 4096)
+        p.error("hitpointsperpixel", "\"hitpointsperpixel\" must lie between 1 and 4096");
+    const std::string lookup = p.getChoice("lookup", "grid", {"grid", "kdtree", "naive"});
+    s.search = lookup == "grid" ? PhotonSearch::Grid : lookup == "kdtree" ? PhotonSearch::Tree : PhotonSearch::Naive;
+    return std::make_unique<PhotonMappingIntegrator>(s, sampler);
+}
+
 using IntegratorBuilder = std::unique_ptr<Integrator> (*)(const ParameterSet&, const SamplerSettings&);
 constexpr RegistryEntry<IntegratorBuilder> integratorTypes[] = {
-    {"path", path}, {"volpath", path}, {"lightpath"},  {"ppm"},          {"sppm"},
+    {"path", path}, {"volpath", path}, {"lightpath"},  {"ppm", ppm},     {"sppm", sppm},
     {"bdpt"},       {"vcm"},           {"hybrid"},     {"mlt"},          {"ambientocclusion"},
     {"function"},   {"randomwalk"},    {"simplepath"}, {"simplevolpath"}};
 
@@ -43,6 +83,7 @@ std::unique_ptr<Integrator> buildIntegrator(BuildContext& context, const Overrid
     node.typePlace = node.place = Place{};
     return context.guarded(node, [&] {
         auto integrator = findBuilder<IntegratorBuilder>(integratorTypes, node, "integrator")(node.parameters, sampler);
+        written.parameters.takeReadsFrom(node.parameters);
         for (const std::string& name : node.parameters.names())
             if (!node.parameters.wasRead(name)) {
                 context.diagnostics().warning(

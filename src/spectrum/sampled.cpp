@@ -69,6 +69,9 @@ class PictureDensity {
             pdf_[k] = float((1 - uniformPart) * lengths[k] / sum + uniformPart / bins);
             cdf += pdf_[k];
         }
+        first_[bins] = 2;
+        // At most one bin begins within a step of the guide.
+        static_assert(uniformPart / bins > 1. / guides);
         for (std::size_t i = 0, k = 0; i < guides; ++i) {
             while (k + 1 < bins && first_[k + 1] <= float(i) / guides)
                 ++k;
@@ -78,15 +81,15 @@ class PictureDensity {
 
     void sample(float u, float& lambda, float& pdf) const {
         std::size_t k = guide_[std::min(std::size_t(u * guides), std::size_t(guides - 1))];
-        while (k + 1 < bins && first_[k + 1] <= u)
-            ++k;
+        k += first_[k + 1] <= u;
         pdf = pdf_[k];
         lambda = lambdaMin + float(k) + std::min((u - first_[k]) / pdf, 1.f);
     }
 
   private:
-    static constexpr int bins = 470, guides = 1024;
-    std::array<float, bins> first_, pdf_;     ///< distribution at the bin's beginning, density per nm
+    static constexpr int bins = 470, guides = 2048;
+    std::array<float, bins + 1> first_;       ///< distribution at the bin's beginning; behind the last one 2
+    std::array<float, bins> pdf_;             ///< density per nm
     std::array<std::uint16_t, guides> guide_; ///< the bin in which u = i / guides lies
 };
 
@@ -102,6 +105,13 @@ SampledWavelengths SampledWavelengths::picture(float u) {
         result.lambda_.set(i, lambda);
         result.pdf_.set(i, pdf);
     }
+    return result;
+}
+
+SampledWavelengths SampledWavelengths::rotated(int by) const {
+    SampledWavelengths result;
+    result.lambda_ = vitrine::rotated(lambda_, by);
+    result.pdf_ = vitrine::rotated(pdf_, by);
     return result;
 }
 

@@ -49,6 +49,17 @@ class SampledSpectrum {
     Lanes v_;
 };
 
+/// Entry i becomes entry i - by, those below 0 come in again at the end. \param by 0 to 3
+inline SampledSpectrum rotated(const SampledSpectrum& s, int by) {
+    using Indices [[gnu::vector_size(16)]] = std::int32_t;
+    return SampledSpectrum(__builtin_shuffle(s.lanes(), (Indices{0, 1, 2, 3} + by) & 3));
+}
+
+/// What rotated() did, undone.
+inline SampledSpectrum rotatedBack(const SampledSpectrum& s, int by) {
+    return rotated(s, (4 - by) & 3);
+}
+
 template <class F>
 SampledSpectrum mapSpectrum(const SampledSpectrum& s, F&& f) {
     return SampledSpectrum(f(s[0]), f(s[1]), f(s[2]), f(s[3]));
@@ -77,6 +88,8 @@ class SampledWavelengths {
     const SampledSpectrum& lambda() const { return lambda_; }
     const SampledSpectrum& pdf() const { return pdf_; }
     float hero() const { return lambda_[0]; }
+    /// The same with entry `by` (0 to 3) as the hero: a path whose hero is chosen among the four of its pass.
+    SampledWavelengths rotated(int by) const;
     bool secondaryTerminated() const { return pdf_[1] == 0 && pdf_[2] == 0 && pdf_[3] == 0; }
     /// The path goes on with its hero wavelength alone, weighted once (a dispersive interface was met).
     void terminateSecondary() {

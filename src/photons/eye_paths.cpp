@@ -1,0 +1,139 @@
+#include "photons/eye_paths.h"
+
+namespace vitrine {
+
+namespace {
+
+/// A bounce takes so many dimensions of the sample stream.
+constexpr std::uint32_t bounceDimensions = 6;
+/// How often a path forks, and the least share of the light that a branch must carry.
+constexpr int maxForks = 4;
+constexpr float leastBranch = 0.01f;
+/// Radii lie between these parts of the scene's radius: a disk as large as the scene tells nothing of a place, and float
+/// cannot tell the points of a much smaller one apart.
+constexpr double leastRadius = 1e-6, largestRadius = 0.05;
+
+} // namespace
+
+struct EyePaths::Path {
+    Walk walk;
+    PixelFootprint footprint;
+    int hero;
+    std::uint32_t firstDimension;
+    double distance = 0; ///< along the path
+    int depth = 0;       ///< scattering events so far
+    int forks = 0;
+    float branch = 1; ///< share of the light that this branch carries
+    LastBounce last{};
+    bool ends = false; ///< it has gathered and only looks for light that its last direction meets
+};
+
+PixelFootprint PixelFootprint::of(const Camera& camera, const CameraSample& sample, const Ray& ray) {
+    // Where the picture ends the pixel on the other side serves.
+    for (const double step : {1., -1.}) {
+        const auto beside = camera.generate({sample.raster + V2d(step, 0), sample.lens});
+        if (beside) return {(beside->ray.o - ray.o).length(), (beside->ray.d - ray.d).length()};
+    }
+    return {};
+}
+
+float EyePaths::baseRadius(const PixelFootprint& footprint, double distance) const {
+    if (settings_.radius > 0) return settings_.radius;
+    const double radius = settings_.radiusInPixels * (footprint.offset + footprint.spread * distance);
+    const double scene = space_.sceneRadius();
+    return float(scene > 0 ? std::clamp(radius, leastRadius * scene, largestRadius * scene) : radius);
+}
+
+void EyePaths::gather(const Path& path, const Vertex& vertex, const Bsdf& bsdf,
+                      std::vector<GatherPoint>& points) const {
+    const SurfacePoint& at = vertex.point();
+    points.push_back({{space_.fromWorld(at.p), at.ng, baseRadius(path.footprint, path.distance)},
+                      vertex.frame,
+                      vertex.wo,
+                      bsdf,
+                      path.hero,
+                      path.walk.beta,
+                      path.depth});
+}
+
+bool EyePaths::forks(const Path& path, const Bsdf& bsdf) const {
+    constexpr unsigned both = lobe::reflection | lobe::transmission;
+    return settings_.branch && path.forks < maxForks && path.branch >= leastBranch && !bsdf.isNonSpecular() &&
+           (bsdf.lobes() & both) == both;
+}
+
+SampledSpectrum EyePaths::trace(const Ray& ray, const PixelFootprint& footprint, const SampledWavelengths& lambda,
+                                int hero, SampleStream& stream, std::vector<GatherPoint>& points,
+                                std::uint64_t& lostExits) const {
+    Path path{Walk(world_, TransportMode::Radiance, lambda,
+                   world_.raysStartApart ? interiorAt(world_, ray.o) : world_.cameraInterior),
+              footprint, hero, stream.dimension()};
+    path.walk.ray = ray;
+    SampledSpectrum light(0.f);
+    follow(std::move(path), stream, points, light, lostExits);
+    return light;
+}
+
+void EyePaths::follow(Path path, SampleStream& stream, std::vector<GatherPoint>& points, SampledSpectrum& light,
+                      std::uint64_t& lostExits) const {
+    Walk& walk = path.walk;
+    const int lostBefore = walk.lostExits();
+    Vertex vertex;
+    for (;;) {
+        if (!walk.advance(vertex)) {
+            light += walk.beta * escapedLight(world_, walk, path.last);
+            break;
+        }
+        path.distance += vertex.hit.s;
+        light += walk.beta * emittedLight(world_, walk, vertex, path.last);
+        if (!vertex.scatters) {
+            walk.passThrough(vertex);
+            continue;
+        }
+        if (path.ends || path.depth == settings_.maxDepth) break;
+
+        const Bsdf bsdf = walk.bsdfAt(vertex);
+        stream.setDimension(path.firstDimension + std::uint32_t(path.depth) * bounceDimensions);
+        const float uLight = stream.get1D(), uGather = stream.get1D();
+        const V2f uDirect = stream.get2D();
+        const float uLobe = stream.get1D();
+        const V2f uDirection = stream.get2D();
+
+        const bool gathers = uGather < gatherProbability(bsdf);
+        // Where photons bring the direct light nothing else does.
+        const bool asksLights = bsdf.isNonSpecular() && !(gathers && settings_.directByPhotons);
+        if (asksLights && !world_.lights.empty())
+            light += walk.beta * directLight(world_, walk, vertex, bsdf, uLight, uDirect);
+        if (gathers) {
+            gather(path, vertex, bsdf, points);
+            if (settings_.directByPhotons) break;
+            path.ends = true;
+        }
+        ++path.depth;
+
+        if (forks(path, bsdf)) {
+            ++path.forks;
+            Path other = path;
+            // The lobe is chosen here, both are followed: each with its own part of the light.
+            if (const auto through = other.walk.scatter(vertex, bsdf, 1 - 0x1p-24f, uDirection)) {
+                if (through->transmission) {
+                    other.walk.beta *= through->pdf;
+                    other.branch *= through->pdf;
+                    follow(std::move(other), stream, points, light, lostExits);
+                }
+            }
+            const auto back = walk.scatter(vertex, bsdf, 0, uDirection);
+            if (!back || back->transmission) break;
+            walk.beta *= back->pdf;
+            path.branch *= back->pdf;
+            path.last = {vertex.point().p, back->pdf, true};
+            continue;
+        }
+        const auto scattered = walk.scatter(vertex, bsdf, uLobe, uDirection);
+        if (!scattered) break;
+        path.last = {vertex.point().p, scattered->pdf, scattered->specular};
+    }
+    lostExits += std::uint64_t(walk.lostExits() - lostBefore);
+}
+
+} // namespace vitrine

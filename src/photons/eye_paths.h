@@ -1,0 +1,54 @@
+// Eye paths of photon mapping: from the camera to points where photons are gathered, with the light met on the way.
+#pragma once
+
+#include "paths/direct_light.h"
+#include "photons/gather_point.h"
+#include "photons/photon_space.h"
+
+namespace vitrine {
+
+struct EyePathSettings {
+    int maxDepth = 5;
+    /// Direct light at points that gather: by photons; else by next-event estimation.
+    bool directByPhotons = false;
+    /// Follow reflection and refraction both where a polished dielectric offers both; else one, by chance.
+    bool branch = false;
+    /// Base radius of the disks in pixels, each of the size that a pixel has at the point; or in scene units, if positive.
+    float radiusInPixels = 2, radius = 0;
+};
+
+/// The size of a pixel along its path: side = offset + spread * distance.
+struct PixelFootprint {
+    double offset = 0, spread = 0;
+
+    /// Of the ray that `camera` made of `sample`, by that of the pixel beside.
+    static PixelFootprint of(const Camera& camera, const CameraSample& sample, const Ray& ray);
+};
+
+class EyePaths {
+  public:
+    EyePaths(const World& world, const EyePathSettings& settings) : world_(world), space_(world), settings_(settings) {}
+
+    /// Follows a camera ray. Points that gather are appended to `points`.
+    /// \param lambda hero first  \param hero which of the pass's wavelengths that is
+    /// \param stream continues at its present dimension
+    /// \return the light found without photons: emitted towards the eye, and direct light; hero first
+    SampledSpectrum trace(const Ray& ray, const PixelFootprint& footprint, const SampledWavelengths& lambda, int hero,
+                          SampleStream& stream, std::vector<GatherPoint>& points, std::uint64_t& lostExits) const;
+
+    const PhotonSpace& space() const { return space_; }
+
+  private:
+    struct Path;
+    void follow(Path path, SampleStream& stream, std::vector<GatherPoint>& points, SampledSpectrum& light,
+                std::uint64_t& lostExits) const;
+    bool forks(const Path& path, const Bsdf& bsdf) const;
+    void gather(const Path& path, const Vertex& vertex, const Bsdf& bsdf, std::vector<GatherPoint>& points) const;
+    float baseRadius(const PixelFootprint& footprint, double distance) const;
+
+    const World& world_;
+    PhotonSpace space_;
+    EyePathSettings settings_;
+};
+
+} // namespace vitrine

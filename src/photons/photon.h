@@ -1,0 +1,40 @@
+// A photon that landed on a surface.
+#pragma once
+
+#include "spectrum/sampled.h"
+
+#include <cstdint>
+
+namespace vitrine {
+
+/// 32 bytes: a pass keeps several for each path of photons.
+class Photon {
+  public:
+    /// Scattering events that a record can count; longer paths of photons are cut.
+    static constexpr int maxDepth = 255;
+
+    Photon() = default;
+    /// \param p where (PhotonSpace)  \param w unit, back along the path  \param depth scattering events before it landed
+    /// \param power of the path at the pass's wavelengths, not yet divided by the number of paths
+    Photon(const V3f& p, const V3f& w, int depth, const SampledSpectrum& power)
+        : p_{p.x, p.y, p.z}, packed_(packDirection(w) << 8 | std::uint32_t(depth)), power_(power.lanes()) {}
+
+    V3f p() const { return V3f(p_[0], p_[1], p_[2]); }
+    V3f w() const { return unpackDirection(packed_ >> 8); }
+    int depth() const { return int(packed_ & 255); }
+    SampledSpectrum power() const { return SampledSpectrum(power_); }
+
+    /// Octahedral, 12 bits a coordinate: at most 0.05 degrees off (Cigolle et al. 2014, "A Survey of Efficient
+    /// Representations for Independent Unit Vectors").
+    static std::uint32_t packDirection(const V3f& w);
+    static V3f unpackDirection(std::uint32_t bits);
+
+  private:
+    float p_[3] = {0, 0, 0};
+    std::uint32_t packed_ = 0;
+    SampledSpectrum::Lanes power_{};
+};
+
+static_assert(sizeof(Photon) == 32);
+
+} // namespace vitrine
