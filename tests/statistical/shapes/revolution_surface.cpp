@@ -150,6 +150,7 @@ std::vector<SamplingCase> samplingCases() {
     return {{"goblet", joined(gobletProfile()), 3, 360, M44d()},
             {"vase", joined(vaseProfile()), 8, 250, turned},
             {"cone", {{1, 0}, {0, 1}}, 1, 360, sheared},
+            {"cusp, stops", {{2, 0}, {.7, 2}, {.7, 0}, {2, 2}, {2, 2}, {0, 3}, {0, 3}}, 3, 360, M44d()},
             {"goblet, sheared", joined(gobletProfile()), 3, 360, sheared}};
 }
 
@@ -181,17 +182,20 @@ TEST(RevolutionSurface, DensityIsTheReciprocalOfTheArea) {
         const Transform worldFromObject(c.matrix);
         const Revolution shape(worldFromObject, false, Profile(c.points, c.degree), c.phiMax);
         RandomStream random(35);
-        double mean = 0, worst = 0;
+        double mean = 0;
+        int uneven = 0;
         constexpr int count = 20000;
         for (int i = 0; i < count; ++i) {
             const ShapeSample drawn = *shape.sample(V2f(random.uniform(), random.uniform()));
             mean += 1 / double(drawn.pdf) / count; // of 1/pdf: the area
-            worst = std::max(worst, std::abs(drawn.pdf * shape.area() - 1));
+            uneven += std::abs(drawn.pdf * shape.area() - 1) > 0.05;
         }
         EXPECT_NEAR(mean, shape.area(), 0.03 * shape.area()) << c.name;
-        // Uniform but for cells next to where the profile's density has a kink; shear makes it vary over phi.
-        if (std::string(c.name).find("sheared") == std::string::npos && std::string(c.name) != "cone") {
-            EXPECT_LT(worst, 0.05) << c.name;
+        // Uniform, but that shear makes it vary over phi, and that next to a stop on the axis the area grows like the
+        // fourth power of v, and not linearly over the cell.
+        const std::string name = c.name;
+        if (name.find("sheared") == std::string::npos && name != "cone") {
+            EXPECT_LE(uneven, name == "cusp, stops" ? count / 1000 : 0) << c.name;
         }
     }
 }
