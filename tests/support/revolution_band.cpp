@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 namespace vitrine::test {
 
@@ -31,8 +32,10 @@ struct Place {
 class Scene {
   public:
     Scene(const ProfilePoints& profile, const Ray& ray, long double band) : ray_(ray), band_(band) {
-        for (const std::vector<V2d>& points : profile)
+        for (const std::vector<V2d>& points : profile) {
             curves_.emplace_back(points);
+            fastest_ = std::max(fastest_, (long double)(3 * curves_.back().degree() * sizeOf(profile)));
+        }
         isLoop_ = profile.front().front() == profile.back().back();
         firstIsFree_ = !isLoop_ && profile.front().front().x > 0;
         lastIsFree_ = !isLoop_ && profile.back().back().x > 0;
@@ -56,9 +59,9 @@ class Scene {
         const auto descend = [&](long double l) {
             for (int i = 0; i < 6; ++i) {
                 if (!isVertical() && side * (ray_.q + ray_.h * l) < 0) l = -ray_.q / ray_.h;
-                const long double g = ray_.q + ray_.h * l, r = std::hypot(ray_.e, g);
+                const long double g = ray_.q + ray_.h * l, r = std::sqrt(ray_.e * ray_.e + g * g);
                 const long double ex = c.x - r, ey = c.y - ray_.oy - ray_.v * l;
-                best = std::min(best, std::hypot(ex, ey));
+                best = std::min(best, std::sqrt(ex * ex + ey * ey));
                 const long double tx = r > 0 ? ray_.h * g / r : side * ray_.h, slope2 = tx * tx + ray_.v * ray_.v;
                 if (!(slope2 > 0)) break;
                 const long double step = (ex * tx + ey * ray_.v) / slope2;
@@ -79,6 +82,7 @@ class Scene {
     }
     bool isClose(long double u, bool forward) const { return distance(u, forward) <= band_; }
     bool isCloseAlong(long double ua, long double ub, bool forward, int steps = 64) const {
+        if (std::fabs(ub - ua) * fastest_ < band_ / 2) return distance(ua, forward) <= band_ / 2;
         if (!isClose(ub, forward)) return false;
         for (int i = 0; i < steps; ++i)
             if (!isClose(ua + (ub - ua) * i / steps, forward)) return false;
@@ -106,6 +110,13 @@ class Scene {
         }
         return false;
     }
+    /// Whether the curve crosses the ray at less than 1e-6 radian.
+    bool isGrazing(const Place& p) const {
+        const SlowCurve::Sample c = at(p.u);
+        const long double g = p.forward ? ray_.width(c.x) : -ray_.width(c.x);
+        const long double tx = c.x > 0 ? ray_.h * g / c.x : ray_.h, ty = ray_.v;
+        return std::fabs(c.dx * ty - c.dy * tx) <= 1e-6L * std::hypot(c.dx, c.dy) * std::hypot(tx, ty);
+    }
     bool reachesRim(const Place& p) const {
         return (firstIsFree_ && isCloseAlong(0, p.u, p.forward)) ||
                (lastIsFree_ && isCloseAlong(p.u, end(), p.forward));
@@ -113,7 +124,7 @@ class Scene {
     bool meetAcrossLoop(const Place& first, const Place& last) const {
         return isCloseAlong(0, first.u, first.forward) && isCloseAlong(last.u, end(), last.forward);
     }
-    /// Whether the gap turns between the places, or beyond them while still in the band.
+    /// Whether the gap turns between the places or beyond them while still in the band.
     bool turns(long double ua, long double ub, bool forward) const {
         for (const int side : {-1, 1}) {
             long double& u = side < 0 ? ua : ub;
@@ -126,12 +137,12 @@ class Scene {
             }
         }
         constexpr int steps = 128;
-        long double before = gap(ua, forward);
         bool rises = false, falls = false;
-        for (int i = 1; i <= steps; ++i) {
-            const long double here = gap(ua + (ub - ua) * i / steps, forward);
-            (here > before ? rises : falls) = true;
-            before = here;
+        long double gapBefore = gap(ua, forward);
+        for (int i = 1; i <= steps && !(rises && falls); ++i) {
+            const long double u = ua + (ub - ua) * i / steps, gapHere = gap(u, forward), change = gapHere - gapBefore;
+            (change > 0 ? rises : falls) = true;
+            gapBefore = gapHere;
         }
         return rises && falls;
     }
@@ -140,6 +151,7 @@ class Scene {
     std::vector<SlowCurve> curves_;
     HalfPlaneRay ray_;
     long double band_;
+    long double fastest_ = 0; ///< bound of |P'(u)|
     bool isLoop_, firstIsFree_, lastIsFree_;
 };
 
@@ -188,7 +200,7 @@ bool isAtRim(const Scene& scene, const std::vector<Place>& part) {
 
 bool turnsBack(const Scene& scene, const std::vector<Place>& part) {
     for (const Place& place : part)
-        if (scene.meetAtTip(place, place)) return true;
+        if (scene.isGrazing(place) || scene.meetAtTip(place, place)) return true;
     for (const bool forward : {false, true}) {
         long double ua = std::numeric_limits<long double>::infinity(), ub = -ua;
         for (const Place& place : part)

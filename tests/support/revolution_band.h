@@ -11,7 +11,7 @@ namespace vitrine::test {
 /// end of the profile (off the axis), or an edge of the sector when phimax < 360. So in each part of K
 ///  - equal numbers agree;
 ///  - numbers that differ by an even count are excused, but only when the surface really turns back within the part:
-///    the gap between profile and ray is not monotone over it;
+///    the gap between profile and ray is not monotone over it, or it crosses the ray at less than 1e-6 radian;
 ///  - any numbers are excused at a rim;
 ///  - all else is missed or spurious.
 struct Judgement {

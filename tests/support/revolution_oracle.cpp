@@ -22,15 +22,22 @@ std::vector<long double> withBinomials(std::vector<long double> c) {
     return c;
 }
 
-long double horner(const std::vector<long double>& c, long double t) {
-    if (c.size() == 1) return c[0];
+struct Pair {
+    long double x, y;
+};
+
+/// Two polynomials at once: their chains of operations do not wait for each other.
+Pair horner(const std::vector<long double>& cx, const std::vector<long double>& cy, long double t) {
+    if (cx.size() == 1) return {cx[0], cy[0]};
     const long double u = 1 - t;
-    long double power = 1, sum = c[0] * u;
-    for (std::size_t k = 1; k + 1 < c.size(); ++k) {
+    long double power = 1, x = cx[0] * u, y = cy[0] * u;
+    for (std::size_t k = 1; k + 1 < cx.size(); ++k) {
         power *= t;
-        sum = (sum + power * c[k]) * u;
+        x = (x + power * cx[k]) * u;
+        y = (y + power * cy[k]) * u;
     }
-    return sum + power * t * c.back();
+    power *= t;
+    return {x + power * cx.back(), y + power * cy.back()};
 }
 
 } // namespace
@@ -46,7 +53,8 @@ SlowCurve::SlowCurve(const std::vector<V2d>& points) {
 }
 
 SlowCurve::Sample SlowCurve::at(long double t) const {
-    return {horner(x_, t), horner(y_, t), horner(dx_, t), horner(dy_, t)};
+    const Pair p = horner(x_, y_, t), d = horner(dx_, dy_, t);
+    return {p.x, p.y, d.x, d.y};
 }
 
 HalfPlaneRay::HalfPlaneRay(const Ray& ray) {

@@ -32,7 +32,14 @@ std::vector<long double> differences(const std::vector<long double>& c) {
     return d;
 }
 
-/// Of the curve over [ta, tb]: control values bound it.
+/// Of the control values over [ta, tb], which bound the polynomial's.
+std::pair<long double, long double> range(const std::vector<long double>& c, long double ta, long double tb) {
+    const std::vector<long double> part = restricted(c, ta, tb);
+    const auto [low, high] = std::minmax_element(part.begin(), part.end());
+    return {*low - 1e-17L, *high + 1e-17L};
+}
+
+/// Of the polynomial's magnitude over [ta, tb].
 long double largest(const std::vector<long double>& c, long double ta, long double tb) {
     long double most = 0;
     for (const long double x : restricted(c, ta, tb))
@@ -92,9 +99,11 @@ void SlowSolver::addPiece(int segment, const std::vector<V2d>& points, long doub
     for (int depth = 0; depth <= treeDepth; ++depth) {
         for (int i = 0; i < (1 << depth); ++i) {
             const long double step = std::ldexp(tb - ta, -depth), a = ta + step * i, b = a + step;
-            piece.nodes.push_back(
-                {curve.at((a + b) / 2),
-                 {largest(x, a, b), largest(x1, a, b), largest(x2, a, b), largest(y1, a, b), largest(y2, a, b)}});
+            const auto [xLow, xHigh] = range(x, a, b);
+            const auto [yLow, yHigh] = range(y, a, b);
+            const Bounds bounds{largest(x, a, b), largest(x1, a, b), largest(x2, a, b), largest(y1, a, b),
+                                largest(y2, a, b)};
+            piece.nodes.push_back({curve.at((a + b) / 2), bounds, std::max(0.L, xLow), xHigh, yLow, yHigh});
         }
     }
     pieces_.push_back(std::move(piece));
@@ -106,11 +115,20 @@ struct SlowSolver::Steep {
     const SlowCurve& curve;
     const Piece& piece;
     std::vector<OracleHit>& hits;
+    long double mostNoise = 0; ///< of noise() on the piece: for a quick answer
 
     long double value(const Sample& c) const {
         const long double p = ray.rise(c.y);
         return p * p - ray.v * ray.v * (c.x - ray.e) * (c.x + ray.e);
     }
+    /// Of P in units of the coordinates, and of f; x below 1e-16 is a pole.
+    long double noise(const Sample& c) const {
+        const long double dp = 0x1p-61L * (ray.h * (std::fabs(ray.oy) + std::fabs(c.y)) + std::fabs(ray.v * ray.q));
+        return 4 * dp * (std::fabs(ray.rise(c.y)) + dp) +
+               ray.v * ray.v * (0x1p-60L * (c.x * c.x + ray.e * ray.e) + 1e-32L);
+    }
+    /// What cannot be told from zero counts as positive, or a flat stretch in the ray would cross it many times.
+    bool isNegative(const Sample& c) const { return value(c) < -noise(c); }
     long double slope(const Sample& c) const { return 2 * (ray.h * ray.rise(c.y) * c.dy - ray.v * ray.v * c.x * c.dx); }
     void found(long double t, const Sample& c) const {
         const bool forward = (ray.rise(c.y) < 0) == (ray.v < 0);
@@ -123,7 +141,7 @@ struct SlowSolver::Steep {
         for (int i = 1; i < 120; ++i) {
             c = curve.at(t);
             const long double f = value(c);
-            ((f < 0) == negativeAtA ? a : b) = t;
+            (isNegative(c) == negativeAtA ? a : b) = t;
             long double next = t - f / slope(c);
             if (!(next > a && next < b) || i % 7 == 0) next = (a + b) / 2;
             const long double step = std::fabs(next - t);
@@ -132,11 +150,20 @@ struct SlowSolver::Steep {
         }
         found(t, curve.at(t));
     }
+    /// Whether f keeps its sign over the node's box.
+    bool misses(const Node& node) const {
+        const long double pa = ray.rise(node.yLow), pb = ray.rise(node.yHigh), a2 = pa * pa, b2 = pb * pb;
+        const long double least = (pa < 0) == (pb < 0) ? std::min(a2, b2) : 0;
+        const long double v2 = ray.v * ray.v;
+        return least > v2 * (node.xHigh - ray.e) * (node.xHigh + ray.e) + 2 * mostNoise ||
+               std::max(a2, b2) < v2 * (node.xLow - ray.e) * (node.xLow + ray.e) - 2 * mostNoise;
+    }
     void search(std::size_t node, Bounds bounds, long double a, long double b, bool negativeAtA,
                 bool negativeAtB) const {
         const long double m = (a + b) / 2, r = (b - a) / 2;
         Sample c;
         if (node < piece.nodes.size()) {
+            if (misses(piece.nodes[node])) return;
             c = piece.nodes[node].middle;
             bounds = piece.nodes[node].bounds;
         } else {
@@ -151,18 +178,25 @@ struct SlowSolver::Steep {
         const long double x = std::min(bounds.x, c.x + x1 * r), rise = std::fabs(p) + h * y1 * r;
         const long double ddf = 2 * (h * (h * y1 * y1 + rise * bounds.y2) + v2 * (x1 * x1 + x * bounds.x2));
         const long double reach = df * r + ddf * r * r / 2;
-        if (std::fabs(f) > reach) return;
-        // Rounding of P in units of the coordinates, and of f; x below 1e-16 is a pole.
-        const long double dp = 0x1p-61L * (h * (std::fabs(ray.oy) + std::fabs(c.y)) + std::fabs(ray.v * ray.q));
-        const long double noise = 4 * dp * (std::fabs(p) + dp) + v2 * (0x1p-60L * (c.x * c.x + ray.e * ray.e) + 1e-32L);
-        if (df > ddf * r || std::fabs(f) + reach < noise || b - a < 0x1p-58L) {
+        if (std::fabs(f) > reach + 2 * mostNoise) return;
+        const long double rounding = noise(c);
+        if (std::fabs(f) > reach + 2 * rounding) return;
+        if (df > ddf * r || std::fabs(f) + reach < rounding || b - a < 0x1p-58L) {
             if (negativeAtA != negativeAtB) solve(a, b, negativeAtA);
             return;
         }
-        search(2 * node + 1, bounds, a, m, negativeAtA, f < 0);
-        search(2 * node + 2, bounds, m, b, f < 0, negativeAtB);
+        search(2 * node + 1, bounds, a, m, negativeAtA, f < -rounding);
+        search(2 * node + 2, bounds, m, b, f < -rounding, negativeAtB);
     }
-    void run() const { search(0, {}, piece.ta, piece.tb, value(piece.first) < 0, value(piece.last) < 0); }
+    void run() {
+        const Node& whole = piece.nodes[0];
+        const long double y = std::fabs(whole.middle.y) + whole.bounds.y1 * (piece.tb - piece.ta);
+        const long double p = std::fabs(ray.rise(whole.middle.y)) + ray.h * whole.bounds.y1 * (piece.tb - piece.ta);
+        const long double dp = 0x1p-61L * (ray.h * (std::fabs(ray.oy) + y) + std::fabs(ray.v * ray.q));
+        mostNoise =
+            4 * dp * (p + dp) + ray.v * ray.v * (0x1p-60L * (whole.bounds.x * whole.bounds.x + ray.e * ray.e) + 1e-32L);
+        search(0, {}, piece.ta, piece.tb, isNegative(piece.first), isNegative(piece.last));
+    }
 };
 
 /// One half of the hyperbola: f(t) = P - w sqrt(x^2 - e^2), on the stretch of the piece that the ray reaches.
@@ -175,11 +209,16 @@ struct SlowSolver::Shallow {
 
     long double w() const { return forward ? ray.v : -ray.v; }
     long double value(const Sample& c) const { return ray.rise(c.y) - w() * ray.width(c.x); }
+    long double noise(const Sample& c) const {
+        return 0x1p-60L *
+               (ray.h * (std::fabs(ray.oy) + std::fabs(c.y)) + std::fabs(ray.v * ray.q) + std::fabs(ray.v) * c.x);
+    }
+    bool isNegative(const Sample& c) const { return value(c) < -noise(c); }
 
     void solve(long double a, long double b, bool negativeAtA) const {
         for (int i = 0; i < 66; ++i) {
             const long double t = (a + b) / 2;
-            ((value(curve.at(t)) < 0) == negativeAtA ? a : b) = t;
+            (isNegative(curve.at(t)) == negativeAtA ? a : b) = t;
         }
         const long double t = (a + b) / 2;
         const Sample c = curve.at(t);
@@ -203,7 +242,8 @@ struct SlowSolver::Shallow {
         const long double pSpread = ray.h * (std::fabs(c.dy) + dySpread / 2) * r, p = ray.rise(c.y);
         const long double wa = ray.width(ca.x), wb = ray.width(cb.x); // x is monotone
         const long double ga = w() * std::min(wa, wb), gb = w() * std::max(wa, wb);
-        if (p - pSpread > std::max(ga, gb) || p + pSpread < std::min(ga, gb)) return;
+        const long double rounding = noise(c);
+        if (p - pSpread > std::max(ga, gb) + 2 * rounding || p + pSpread < std::min(ga, gb) - 2 * rounding) return;
         const long double dyLow = ray.h * (c.dy - dySpread), dyHigh = ray.h * (c.dy + dySpread);
         const auto steepness = [&](const Sample& s, long double width) {
             return width > 0 ? s.x / width : std::numeric_limits<long double>::infinity();
@@ -218,12 +258,10 @@ struct SlowSolver::Shallow {
                 low = std::min(low, turn), high = std::max(high, turn);
             }
         const bool monotone = dyLow > high || dyHigh < low;
-        const long double noise = 0x1p-60L * (ray.h * (std::fabs(ray.oy) + std::fabs(c.y)) + std::fabs(ray.v * ray.q) +
-                                              std::fabs(ray.v) * c.x);
         const long double size = std::fabs(p) + pSpread + std::max(std::fabs(ga), std::fabs(gb));
-        if (monotone || size < noise || hi - lo < 0x1p-56L) {
-            const bool negativeAtA = value(ca) < 0;
-            if (negativeAtA != (value(cb) < 0)) solve(lo, hi, negativeAtA);
+        if (monotone || size < rounding || hi - lo < 0x1p-56L) {
+            const bool negativeAtA = isNegative(ca);
+            if (negativeAtA != isNegative(cb)) solve(lo, hi, negativeAtA);
             return;
         }
         const long double nm = (na + nb) / 2;

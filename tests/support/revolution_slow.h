@@ -23,6 +23,7 @@ class SlowSolver {
     struct Node {
         SlowCurve::Sample middle;
         Bounds bounds;
+        long double xLow, xHigh, yLow, yHigh;
     };
     struct Piece {
         int segment;
