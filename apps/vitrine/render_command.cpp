@@ -201,7 +201,8 @@ int renderOnce(const RenderArguments& a, std::vector<std::string>* watched) {
 
     if (const auto bad = film.firstBadPixel())
         fmt::print(stderr,
-                   "vitrine: warning: {} samples were not finite or too large and left out, first in pixel {},{}\n",
+                   "vitrine: warning: {} samples were not finite (left out) or too bright for the film's sums (held at "
+                   "their end), first in pixel {},{}\n",
                    film.badSamples(), bad->x, bad->y);
     // A few come from rounding at edges.
     if (last.lostExits * 1000 > last.samples)

@@ -56,6 +56,8 @@ class Film {
     /// \param half which of the two half-buffers (even or odd samples) the sample belongs to: 0 or 1
     void add(const V2i& pixel, const SampledSpectrum& radiance, const SampledWavelengths& lambda, float weight,
              unsigned half);
+    /// Adds to a pixel without weighing: what a light path leaves, a share of the pass's value for it.
+    void addSplat(const V2i& pixel, const SampledSpectrum& value, const SampledWavelengths& lambda, unsigned half);
     /// Says that a whole pass used these wavelengths for all its samples. Few wavelengths sum up a spectrum wrongly, and
     /// all pixels in the same way: image() scales each channel by what the passes' wavelengths make of the colour
     /// space's white. Not for several threads at a time.
@@ -71,7 +73,8 @@ class Film {
     /// half counts as infinite.
     double estimatedRelMse() const;
 
-    /// Samples that were NaN or infinite (dropped) and sums that saturated: both zero in a sound render.
+    /// Samples that were NaN or infinite (left out) and those that drove a sum beyond its range (which then stays at its
+    /// end): both zero in a sound render.
     std::uint64_t badSamples() const;
     /// The first pixel that had one, in the full picture's coordinates; empty when none had.
     std::optional<V2i> firstBadPixel() const;
@@ -90,6 +93,7 @@ class Film {
                 std::size_t(pixel.x - settings_.cropMin.x));
     }
 
+    void addToSums(std::size_t pixel, const Rgb& rgb, float weight, unsigned half);
     std::size_t pixelCount() const { return bad_.size(); }
     /// What the channels of image() are multiplied by.
     V3d whiteScale() const;

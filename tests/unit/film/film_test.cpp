@@ -45,8 +45,7 @@ void addAll(Film& film, std::span<const DrawnSample> samples) {
 }
 
 bool sameSums(const Film& a, const Film& b) {
-    return std::ranges::equal(a.sums(), b.sums(),
-                              [](const FixedSum& x, const FixedSum& y) { return x.raw() == y.raw(); });
+    return std::ranges::equal(a.sums(), b.sums());
 }
 
 TEST(Film, OrderAndGroupingOfSamplesDoNotMatter) {
@@ -150,6 +149,21 @@ TEST(Film, SamplesThatAreNotFiniteAreCountedAndDropped) {
     other.add(V2i(0, 0), SampledSpectrum(std::nanf("")), lambda, 1, 0);
     film.merge(other);
     EXPECT_EQ(film.badSamples(), 6u);
+}
+
+TEST(Film, HoldsTheSunAndStarlight) {
+    const SampledWavelengths lambda = SampledWavelengths::visible(0.4f);
+    // The sun has 1.6e9 nit; a spectrum of 1 has cieYIntegral.
+    for (const float radiance : {1.6e9f / cieYIntegral, 1e-11f}) {
+        Film film(small(1, 1));
+        constexpr int samples = 20000;
+        for (unsigned i = 0; i < samples; ++i)
+            film.add(V2i(0, 0), SampledSpectrum(radiance), lambda, 1, i % 2);
+        const Rgb expected = RgbColorSpace::srgb().fromXyz(sensorXyz(SampledSpectrum(radiance), lambda));
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(film.image().at(0, 0, c) / expected[c], 1, 1e-3) << radiance;
+        EXPECT_EQ(film.badSamples(), 0u);
+    }
 }
 
 TEST(Film, SaturationIsReported) {

@@ -9,24 +9,48 @@
 namespace vitrine {
 namespace {
 
+constexpr double resolution = 0x1p-44, limit = 0x1p51;
+
+FixedSum sumOf(std::initializer_list<double> values) {
+    FixedSum sum;
+    for (const double x : values)
+        sum.add(x);
+    return sum;
+}
+
 TEST(FixedSum, KeepsSmallAndLargeValuesToItsResolution) {
-    for (double x : {0., 1., -1., 0x1p-30, -0x1p-30, 123456.789, 8.5e9, -8.5e9}) {
+    for (double x : {0., 1., -1., resolution, -resolution, 123456.789, 0x1p19, -0x1p19, 0x1p20 + 0x1p-32, 8.5e9, -8.5e9,
+                     1.6e9 * 1e6, -0x1p51 + 0.5, 0x1p51 - 0.5}) {
         FixedSum sum;
-        EXPECT_TRUE(sum.add(x));
-        EXPECT_NEAR(sum.value(), x, std::max(0x1p-31, std::abs(x) * 0x1p-52));
+        EXPECT_TRUE(sum.add(x)) << x;
+        EXPECT_NEAR(sum.value(), x, resolution / 2);
+        EXPECT_TRUE(sum.add(-x)) << x;
+        EXPECT_EQ(sum.value(), 0) << x;
     }
-    FixedSum half;
-    half.add(0.4 * 0x1p-30);
-    EXPECT_EQ(half.raw(), 0);
-    half.add(0.6 * 0x1p-30);
-    EXPECT_EQ(half.raw(), 1);
+    EXPECT_EQ(sumOf({0.4 * resolution}).value(), 0);
+    EXPECT_EQ(sumOf({0.6 * resolution}).value(), resolution);
+}
+
+TEST(FixedSum, CarriesThroughAllItsWords) {
+    // Steps that cross 2^-44 * 2^32 and * 2^64 from both sides; each is a multiple of the resolution.
+    for (const double edge : {0x1p-12, 0x1p20, 0x1p50}) {
+        FixedSum sum;
+        double expected = 0;
+        for (const double step : {edge, -resolution, resolution, resolution, -edge, -resolution, -resolution, -edge}) {
+            EXPECT_TRUE(sum.add(step));
+            expected += step; // exact but near 2^50, where the halves of a resolution are lost
+            EXPECT_NEAR(sum.value(), expected, edge * 0x1p-51) << edge;
+        }
+        EXPECT_TRUE(sum.add(edge));
+        EXPECT_EQ(sum.value(), -resolution) << edge;
+    }
 }
 
 TEST(FixedSum, DoesNotDependOnOrderOrGrouping) {
     RandomStream random(3);
     std::vector<double> values;
     for (int i = 0; i < 5000; ++i)
-        values.push_back(std::ldexp(random.uniform(-1, 1), int(random.uniform(-20, 20))));
+        values.push_back(std::ldexp(random.uniform(-1, 1), int(random.uniform(-30, 40))));
     FixedSum forward;
     for (double v : values)
         forward.add(v);
@@ -39,30 +63,30 @@ TEST(FixedSum, DoesNotDependOnOrderOrGrouping) {
     }
     for (const FixedSum& g : groups)
         grouped.add(g);
-    EXPECT_EQ(sorted.raw(), forward.raw());
-    EXPECT_EQ(grouped.raw(), forward.raw());
+    EXPECT_TRUE(sorted == forward);
+    EXPECT_TRUE(grouped == forward);
 }
 
 TEST(FixedSum, SaturatesAndSaysSo) {
     FixedSum sum;
-    EXPECT_TRUE(sum.add(8e9));
-    EXPECT_FALSE(sum.add(8e9));
-    EXPECT_NEAR(sum.value(), 0x1p33, 1);
+    EXPECT_TRUE(sum.add(2e15));
+    EXPECT_FALSE(sum.add(2e15));
+    EXPECT_NEAR(sum.value(), limit, 1);
     FixedSum low;
-    EXPECT_TRUE(low.add(-8e9));
-    EXPECT_FALSE(low.add(-8e9));
-    EXPECT_NEAR(low.value(), -0x1p33, 1);
-    for (double huge : {1e10, 1e300, 0x1p33}) {
+    EXPECT_TRUE(low.add(-2e15));
+    EXPECT_FALSE(low.add(-2e15));
+    EXPECT_NEAR(low.value(), -limit, 1);
+    for (double huge : {1e16, 1e300, limit}) {
         FixedSum one;
         EXPECT_FALSE(one.add(huge));
-        EXPECT_GT(one.value(), 8.5e9);
+        EXPECT_NEAR(one.value(), limit, 1);
         FixedSum other;
-        other.add(-huge);
-        EXPECT_LT(other.value(), -8.5e9);
+        EXPECT_FALSE(other.add(-2 * huge));
+        EXPECT_NEAR(other.value(), -limit, 1);
     }
-    FixedSum a = FixedSum::fromRaw(sum.raw()), b = FixedSum::fromRaw(1);
+    FixedSum a = sum, b = sumOf({1});
     EXPECT_FALSE(b.add(a));
-    EXPECT_EQ(b.raw(), std::numeric_limits<std::int64_t>::max());
+    EXPECT_NEAR(b.value(), limit, 1);
 }
 
 TEST(FixedSum, DropsWhatIsNotFinite) {
