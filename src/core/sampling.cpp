@@ -112,44 +112,95 @@ float PiecewiseConstant2D::pdf(const V2f& p) const {
     return marginal_.pdf(p.y) * rows_[std::size_t(row)].pdf(p.x);
 }
 
+namespace {
+
+/// Values that a uniform number takes.
+constexpr unsigned uniformBits = 24;
+constexpr std::uint32_t uniformValues = 1u << uniformBits;
+
+/// How many of the values of u each weight gets: their share, rounded so that all add up.
+std::vector<std::uint32_t> apportion(std::span<const double> weights) {
+    double total = 0;
+    std::size_t positive = 0;
+    for (const double w : weights) {
+        total += w;
+        positive += w > 0;
+    }
+    const bool isUniform = positive == 0;
+    if (isUniform) positive = weights.size();
+    // One apiece first, if that leaves something to share out.
+    const std::uint32_t each = positive <= uniformValues / 2 ? 1 : 0;
+    const double rest = uniformValues - double(each) * double(positive);
+    std::vector<std::uint32_t> counts(weights.size(), 0);
+    double sum = 0;
+    std::uint32_t shared = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        if (!isUniform && weights[i] == 0) continue;
+        sum += isUniform ? 1 / double(weights.size()) : weights[i] / total;
+        // The last one gets what is left.
+        const auto upTo = --positive == 0 ? std::uint32_t(rest) : std::uint32_t(std::min(sum, 1.) * rest);
+        counts[i] = each + upTo - shared;
+        shared = upTo;
+    }
+    return counts;
+}
+
+} // namespace
+
 AliasTable::AliasTable(std::span<const double> weights) {
     checkWeights(weights);
-    const std::size_t n = weights.size();
-    double total = 0;
-    for (double w : weights)
-        total += w;
-    bins_.resize(n);
-    std::vector<double> scaled(n);
-    std::vector<int> small, large;
-    for (std::size_t i = 0; i < n; ++i) {
-        const double p = total > 0 ? weights[i] / total : 1 / double(n);
-        bins_[i] = {1, float(p), int(i)};
-        scaled[i] = p * double(n);
-        (scaled[i] < 1 ? small : large).push_back(int(i));
+    std::vector<std::uint32_t> counts = apportion(weights);
+    probabilities_.reserve(counts.size());
+    for (const std::uint32_t count : counts)
+        probabilities_.push_back(float(count) / float(uniformValues));
+    while (binBits_ < uniformBits && (std::size_t(1) << binBits_) < weights.size())
+        ++binBits_;
+    bins_.resize(std::size_t(1) << binBits_);
+    fill(std::move(counts));
+}
+
+void AliasTable::fill(std::vector<std::uint32_t> counts) {
+    const std::uint32_t capacity = uniformValues >> binBits_;
+    if (capacity == 1) {
+        // Each value of u is a bin, and entries may be more than bins.
+        std::size_t bin = 0;
+        for (std::size_t i = 0; i < counts.size(); ++i)
+            for (; counts[i] > 0; --counts[i])
+                bins_[bin++] = {0, std::uint32_t(i)};
+        return;
     }
-    while (!small.empty() && !large.empty()) {
-        const auto s = std::size_t(small.back()), l = std::size_t(large.back());
+    counts.resize(bins_.size(), 0);
+    std::vector<std::uint32_t> small, large;
+    for (std::uint32_t i = 0; i < counts.size(); ++i)
+        (counts[i] < capacity ? small : large).push_back(i);
+    // All is in whole numbers: while a bin has room, an entry has more than fits into its own.
+    while (!small.empty()) {
+        const std::uint32_t s = small.back(), l = large.back();
         small.pop_back();
-        bins_[s].threshold = float(scaled[s]);
-        bins_[s].alias = int(l);
-        scaled[l] -= 1 - scaled[s];
-        if (scaled[l] < 1) {
+        bins_[s] = {counts[s], l};
+        counts[l] -= capacity - counts[s];
+        if (counts[l] < capacity) {
             large.pop_back();
-            small.push_back(int(l));
+            small.push_back(l);
         }
     }
+    for (const std::uint32_t l : large)
+        bins_[l] = {capacity, l};
 }
 
 AliasTable::Sample AliasTable::sample(float u, float* remapped) const {
-    const float scaled = u * float(bins_.size());
-    const int bin = std::min(int(scaled), size() - 1);
-    const float rest = std::min(scaled - float(bin), oneMinusEpsilon);
-    const Bin& b = bins_[std::size_t(bin)];
+    const auto value = std::min(std::uint32_t(u * float(uniformValues)), uniformValues - 1);
+    const unsigned restBits = uniformBits - binBits_;
+    const std::uint32_t bin = value >> restBits, capacity = 1u << restBits, rest = value & (capacity - 1);
+    const Bin& b = bins_[bin];
     const bool own = rest < b.threshold;
-    if (remapped)
-        *remapped = std::min(own ? rest / b.threshold : (rest - b.threshold) / (1 - b.threshold), oneMinusEpsilon);
-    const int index = own ? bin : b.alias;
-    return {index, bins_[std::size_t(index)].probability};
+    if (remapped) {
+        const float at =
+            (float(own ? rest : rest - b.threshold) + 0.5f) / float(own ? b.threshold : capacity - b.threshold);
+        *remapped = std::min(at, oneMinusEpsilon);
+    }
+    const std::uint32_t index = own ? bin : b.alias;
+    return {int(index), probabilities_[index]};
 }
 
 } // namespace vitrine

@@ -84,8 +84,12 @@ class PiecewiseConstant2D {
     PiecewiseConstant1D marginal_;
 };
 
-/// Discrete distribution with O(1) sampling (Walker 1977; Vose 1991); all zero means uniform. Of u's 24 bits the table's
-/// size takes some and the choice within a bin has the rest: keep tables well below 2^24 entries.
+/// Discrete distribution with O(1) sampling (Walker 1977; Vose 1991); all zero means uniform.
+///
+/// The probabilities are the weights' rounded to multiples of 2^-24, as uniform numbers are: sample() draws each entry
+/// for exactly so many of the 2^24 values of u, so that dividing by a probability is never off, however small it is. No
+/// positive weight rounds to 0 while there are at most 2^23 of them. Of u's 24 bits the table's size takes some and the
+/// choice within a bin has the rest.
 class AliasTable {
   public:
     struct Sample {
@@ -96,17 +100,21 @@ class AliasTable {
     /// \throws std::invalid_argument when there are none, or one is negative or not finite
     explicit AliasTable(std::span<const double> weights);
 
-    int size() const { return int(bins_.size()); }
-    float probability(int index) const { return bins_[std::size_t(index)].probability; }
+    int size() const { return int(probabilities_.size()); }
+    float probability(int index) const { return probabilities_[std::size_t(index)]; }
     /// \param remapped if not null, receives a fresh uniform number made of what u had left.
     Sample sample(float u, float* remapped = nullptr) const;
 
   private:
     struct Bin {
-        float threshold, probability;
-        int alias;
+        std::uint32_t threshold; ///< of the bin's values of u, so many are the entry's of the same number
+        std::uint32_t alias;     ///< and the others this one's
     };
-    std::vector<Bin> bins_;
+    void fill(std::vector<std::uint32_t> counts);
+
+    std::vector<Bin> bins_; ///< 2^binBits_
+    unsigned binBits_ = 0;
+    std::vector<float> probabilities_;
 };
 
 } // namespace vitrine

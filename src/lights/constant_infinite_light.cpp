@@ -10,8 +10,8 @@ std::shared_ptr<ConstantInfiniteLight> ConstantInfiniteLight::create(const Param
         scaledEmission(parameters.l, parameters.scale, parameters.illuminance, piD));
 }
 
-SampledSpectrum ConstantInfiniteLight::power(const SampledWavelengths& lambda) const {
-    return l_->sample(lambda) * float(4 * piD * scene_.crossSection());
+SampledSpectrum ConstantInfiniteLight::powerInto(const SceneSphere& sphere, const SampledWavelengths& lambda) const {
+    return l_->sample(lambda) * float(4 * piD * sphere.crossSection());
 }
 
 std::optional<LightSample> ConstantInfiniteLight::sample(const V3d&, const V2f& u,

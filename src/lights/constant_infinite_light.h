@@ -28,7 +28,8 @@ class ConstantInfiniteLight final : public Light {
     explicit ConstantInfiniteLight(SpectrumPtr l) : l_(std::move(l)) {}
 
     /// What falls on the scene's bounding sphere.
-    SampledSpectrum power(const SampledWavelengths& lambda) const override;
+    SampledSpectrum power(const SampledWavelengths& lambda) const override { return powerInto(scene_, lambda); }
+    SampledSpectrum powerInto(const SceneSphere& sphere, const SampledWavelengths& lambda) const override;
     std::optional<LightSample> sample(const V3d& p, const V2f& u, const SampledWavelengths& lambda) const override;
     std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection,
                                       const SampledWavelengths& lambda) const override;

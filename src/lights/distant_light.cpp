@@ -13,8 +13,8 @@ std::shared_ptr<DistantLight> DistantLight::create(const Transform& worldFromLig
     return std::make_shared<DistantLight>(worldFromLight.vector(back), std::move(irradiance));
 }
 
-SampledSpectrum DistantLight::power(const SampledWavelengths& lambda) const {
-    return irradiance_->sample(lambda) * float(scene_.crossSection());
+SampledSpectrum DistantLight::powerInto(const SceneSphere& sphere, const SampledWavelengths& lambda) const {
+    return irradiance_->sample(lambda) * float(sphere.crossSection());
 }
 
 std::optional<LightSample> DistantLight::sample(const V3d&, const V2f&, const SampledWavelengths& lambda) const {

@@ -32,7 +32,8 @@ class DistantLight final : public Light {
         : wi_(towardsLight.normalized()), irradiance_(std::move(irradiance)) {}
 
     /// What falls on the disk of the scene's bounding sphere.
-    SampledSpectrum power(const SampledWavelengths& lambda) const override;
+    SampledSpectrum power(const SampledWavelengths& lambda) const override { return powerInto(scene_, lambda); }
+    SampledSpectrum powerInto(const SceneSphere& sphere, const SampledWavelengths& lambda) const override;
     std::optional<LightSample> sample(const V3d& p, const V2f& u, const SampledWavelengths& lambda) const override;
     std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection,
                                       const SampledWavelengths& lambda) const override;

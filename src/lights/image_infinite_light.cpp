@@ -51,8 +51,8 @@ ImageInfiniteLight::ImageInfiniteLight(const Transform& worldFromLight, Environm
     z_ = toFloat(z.normalized());
 }
 
-SampledSpectrum ImageInfiniteLight::power(const SampledWavelengths& lambda) const {
-    return image_.mean().sample(lambda) * float(4 * piD * scene_.crossSection() * scale_);
+SampledSpectrum ImageInfiniteLight::powerInto(const SceneSphere& sphere, const SampledWavelengths& lambda) const {
+    return image_.mean().sample(lambda) * float(4 * piD * sphere.crossSection() * scale_);
 }
 
 float ImageInfiniteLight::pdfOfSquare(const V2f& square) const {

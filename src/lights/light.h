@@ -31,11 +31,19 @@ struct LightEmission {
     SampledSpectrum power; ///< radiance times cosine over density: what all rays carry if each is like this one
 };
 
+struct SceneSphere;
+
 class Light {
   public:
     virtual ~Light() = default;
-    /// Emitted power of all directions (W, at the wavelengths), for choosing lights.
+    /// Emitted power of all directions (W, at the wavelengths); of lights at infinity, into the scene's sphere.
     virtual SampledSpectrum power(const SampledWavelengths& lambda) const = 0;
+    /// The same with another sphere to shine into, for choosing lights.
+    virtual SampledSpectrum powerInto(const SceneSphere& sphere, const SampledWavelengths& lambda) const {
+        return (void)sphere, power(lambda);
+    }
+    /// Where it lies; empty for lights at infinity.
+    virtual Box3d bounds() const { return {}; }
     /// A direction from `p`, chosen by what arrives. Empty when nothing does.
     virtual std::optional<LightSample> sample(const V3d& p, const V2f& u, const SampledWavelengths& lambda) const = 0;
     /// A ray of what the light emits (from lights at infinity: into the scene's bounding sphere), chosen by what it carries.
@@ -52,7 +60,7 @@ class Light {
     /// Density of sample(p, ...) to give direction w, per solid angle; lights at infinity only.
     virtual float pdf(const V3f& w) const { return (void)w, 0.f; }
     virtual bool isInfinite() const { return false; }
-    /// Called once with the bounding sphere of the scene.
+    /// Called once with the sphere that emit() is to cover.
     virtual void preprocess(const V3d& center, double radius) { (void)center, (void)radius; }
 };
 
@@ -85,6 +93,7 @@ class AreaLight final : public Light {
         : shape_(std::move(shape)), l_(std::move(l)), twoSided_(twoSided) {}
 
     SampledSpectrum power(const SampledWavelengths& lambda) const override;
+    Box3d bounds() const override { return shape_->bounds(); }
     std::optional<LightSample> sample(const V3d& p, const V2f& u, const SampledWavelengths& lambda) const override;
     std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection,
                                       const SampledWavelengths& lambda) const override;

@@ -12,8 +12,8 @@ namespace vitrine {
 class LightSampler {
   public:
     enum class Choice {
-        Power,  ///< in proportion to power, the mean over fixed wavelengths spread as the eye's sensitivity; lights of
-                ///< no power (and of infinite power: infinite shapes) never, unless all are so
+        Power,  ///< four fifths in proportion to power as a picture sees it, one fifth alike among all that shine at
+                ///< any wavelength; dark lights (and infinite shapes, which cannot be sampled) never, unless all are so
         Uniform ///< all alike
     };
     struct Sample {
@@ -21,8 +21,8 @@ class LightSampler {
         float probability = 0;
     };
     LightSampler() = default;
-    /// \pre each light's preprocess() was called: the power of lights at infinity depends on the scene's size
-    explicit LightSampler(std::vector<LightPtr> lights, Choice choice = Choice::Power);
+    /// \param lit what is to be lit, with the lights: how much of a light at infinity counts
+    LightSampler(std::vector<LightPtr> lights, const SceneSphere& lit, Choice choice = Choice::Power);
 
     bool empty() const { return lights_.empty(); }
     /// \pre not empty()

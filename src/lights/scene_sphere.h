@@ -1,4 +1,4 @@
-// The sphere round everything bounded: what lights at infinity shine into.
+// What lights at infinity shine into.
 #pragma once
 
 #include "core/frame.h"
@@ -10,6 +10,12 @@ namespace vitrine {
 struct SceneSphere {
     V3d center{0, 0, 0};
     double radius = 0;
+
+    /// Round a box; a point if the box is empty.
+    static SceneSphere around(const Box3d& box) {
+        if (box.isEmpty()) return {};
+        return {box.center(), box.size().length() / 2};
+    }
 
     /// Area across a beam that fills the sphere.
     double crossSection() const { return piD * sqr(radius); }

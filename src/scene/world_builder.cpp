@@ -1,5 +1,6 @@
 #include "scene/world_builder.h"
 
+#include "lights/scene_sphere.h"
 #include "shapes/revolution/revolution.h"
 
 #include <fmt/format.h>
@@ -39,9 +40,9 @@ class WorldBuilder {
 
         // A scene that is wrong is never rendered: no need to build the tree.
         if (context_.diagnostics().hasErrors()) return {};
+        const bool unbounded = hasUnbounded();
         world_.caster = makeEmbreeCaster(std::move(input_));
-        placeLights();
-        world_.lights = LightSampler(std::move(lights_));
+        placeLights(unbounded);
         return std::move(world_);
     }
 
@@ -149,11 +150,30 @@ class WorldBuilder {
         }
     }
 
-    void placeLights() {
-        Box3d box = world_.caster->bounds();
-        if (box.isEmpty()) box = Box3d(V3d(0, 0, 0), V3d(0, 0, 0));
+    bool hasUnbounded() const {
+        const auto any = [](const std::vector<CasterShape>& shapes) {
+            return std::any_of(shapes.begin(), shapes.end(),
+                               [](const CasterShape& entry) { return entry.shape->kind() == GeometryKind::Unbounded; });
+        };
+        return any(input_.shapes) || std::any_of(input_.groups.begin(), input_.groups.end(), any);
+    }
+
+    /// Beams from infinity fill the sphere round all that is bounded. For the choice of a light the sphere reaches to
+    /// the lamps: what parallel light brings into it is to what lamps give as their brightness in the scene. Where
+    /// planes are, the camera tells, better than the bounded shapes, how large the scene is.
+    void placeLights(bool unbounded) {
+        Box3d lit = world_.caster->bounds();
+        if (unbounded) lit.extendBy(context_.nodes().camera.worldFromCamera->start.point(V3d(0, 0, 0)));
+        Box3d chosenBy = lit;
         for (const auto& light : lights_)
-            light->preprocess(box.center(), box.size().length() / 2);
+            if (const Box3d box = light->bounds(); !box.isEmpty() && isFinite(box.size())) chosenBy.extendBy(box);
+        const SceneSphere beams = SceneSphere::around(unbounded ? chosenBy : lit);
+        for (const auto& light : lights_)
+            light->preprocess(beams.center, beams.radius);
+        SceneSphere sphere = SceneSphere::around(chosenBy);
+        // Of no size, it still tells lights at infinity from each other.
+        sphere.radius = sphere.radius > 0 ? std::min(sphere.radius, farthest) : 1;
+        world_.lights = LightSampler(std::move(lights_), sphere);
     }
 
     BuildContext& context_;

@@ -6,39 +6,51 @@ namespace {
 
 constexpr float justBelowOne = 0x1.fffffep-1f;
 
-/// How often each entry comes up when u runs through all `count` equidistant values of [0,1): its exact probability, to
-/// one value per bin.
-std::vector<double> frequencies(const AliasTable& table, int count) {
-    std::vector<double> result(std::size_t(table.size()), 0);
-    for (int i = 0; i < count; ++i)
-        result[std::size_t(table.sample(float(i) / float(count)).index)] += 1. / count;
+/// For how many of all 2^24 uniform numbers each entry comes up.
+std::vector<std::uint32_t> countsOf(const AliasTable& table) {
+    std::vector<std::uint32_t> result(std::size_t(table.size()), 0);
+    for (std::uint32_t i = 0; i < 1u << 24; ++i)
+        ++result[std::size_t(table.sample(float(i) * 0x1p-24f).index)];
     return result;
 }
 
-TEST(AliasTable, HasExactlyTheGivenProbabilities) {
+TEST(AliasTable, DrawsWithExactlyTheProbabilitiesItStates) {
     RandomStream random(1);
-    std::vector<double> many;
-    for (int i = 0; i < 1000; ++i)
+    std::vector<double> many, uneven;
+    for (int i = 0; i < 1000; ++i) {
         many.push_back(random.uniformDouble() < 0.3 ? 0 : random.uniformDouble());
+        uneven.push_back(std::exp(60 * random.uniformDouble()));
+    }
     const std::vector<std::vector<double>> cases = {
-        {1}, {1, 1}, {1, 3}, {0, 1}, {1, 0, 0, 0}, {0.1, 0.2, 0.3, 0.4}, {1e-300, 1e300}, {1, 2, 3, 4, 5, 6, 7, 8, 9},
-        many};
-    constexpr int count = 1 << 22;
+        {1},       {1, 1}, {1, 3}, {0, 1}, {1, 0, 0, 0}, {0.1, 0.2, 0.3, 0.4}, {1e-300, 1e300}, {1, 1e-9, 1e-9},
+        {0, 0, 0}, many,   uneven};
     for (const auto& weights : cases) {
         const AliasTable table(weights);
         ASSERT_EQ(table.size(), int(weights.size()));
         double total = 0;
         for (double w : weights)
             total += w;
-        const auto found = frequencies(table, count);
+        const auto found = countsOf(table);
         for (std::size_t i = 0; i < weights.size(); ++i) {
-            EXPECT_FLOAT_EQ(table.probability(int(i)), float(weights[i] / total));
-            // Each bin that leads to the entry rounds by at most one value.
-            EXPECT_NEAR(found[i], weights[i] / total, double(weights.size()) / count)
-                << weights.size() << " entries, " << i;
-            EXPECT_TRUE(weights[i] > 0 || found[i] == 0) << i;
+            ASSERT_EQ(double(found[i]), double(table.probability(int(i))) * 0x1p24) << weights.size() << ", " << i;
+            if (!(total > 0)) continue;
+            ASSERT_EQ(found[i] > 0, weights[i] > 0) << weights.size() << ", " << i;
+            // One value of u for each entry first, the others by weight, rounded.
+            ASSERT_NEAR(double(found[i]), weights[i] / total * 0x1p24, 2 + double(weights.size()) * weights[i] / total)
+                << weights.size() << ", " << i;
         }
     }
+}
+
+TEST(AliasTable, TakesMoreEntriesThanThereAreUniformNumbers) {
+    std::vector<double> weights((1u << 24) + 5, 1.);
+    weights[7] = 1e7;
+    const AliasTable table(weights);
+    EXPECT_EQ(table.size(), (1 << 24) + 5);
+    const auto found = countsOf(table);
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        ASSERT_EQ(double(found[i]), double(table.probability(int(i))) * 0x1p24) << i;
+    EXPECT_NEAR(found[7], 0x1p24 * 1e7 / (1e7 + 0x1p24 + 4), 2);
 }
 
 TEST(AliasTable, SamplesCarryTheirProbability) {
@@ -54,8 +66,8 @@ TEST(AliasTable, OfZerosIsUniform) {
     const AliasTable table(std::vector<double>{0, 0, 0, 0});
     for (int i = 0; i < 4; ++i)
         EXPECT_FLOAT_EQ(table.probability(i), 0.25f);
-    for (const double f : frequencies(table, 1 << 16))
-        EXPECT_NEAR(f, 0.25, 1e-4);
+    for (const std::uint32_t n : countsOf(table))
+        EXPECT_NEAR(n, 1 << 22, 1);
 }
 
 TEST(AliasTable, AtTheEndsOfTheUnitInterval) {

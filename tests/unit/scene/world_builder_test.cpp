@@ -48,6 +48,34 @@ TEST(WorldBuilder, AttributesReachTheShapes) {
     EXPECT_NEAR(scene.world.caster->bounds().max.y, 3, 1e-5);
 }
 
+TEST(WorldBuilder, TheSunIsChosenAlsoWherePlanesAreAllOrMostThereIs) {
+    const auto chanceOfSun = [](const std::string& shapes, const std::string& lamp) {
+        const Scene scene = built("LookAt 0 3 0  0 0 0  0 0 1\nCamera \"orthographic\"\nWorldBegin\n"
+                                  "LightSource \"distant\" \"point3 from\" [0 1 0] \"point3 to\" [0 0 0]\n" +
+                                  lamp + shapes);
+        const LightSampler& lights = scene.world.lights;
+        return lights.probability(lights.lights().front().get());
+    };
+    const std::string plane = "Shape \"plane\"\n", ball = "Shape \"sphere\" \"float radius\" 1e-4\n";
+    const std::string lamp = "LightSource \"point\" \"point3 from\" [0 2 0] \"float scale\" ";
+    EXPECT_GT(chanceOfSun(plane, lamp + "1e-3\n"), 0.8);
+    EXPECT_GT(chanceOfSun(plane, lamp + "1\n"), 0.1);
+    EXPECT_GT(chanceOfSun(plane + ball, lamp + "1\n"), 0.1);
+    EXPECT_GT(chanceOfSun(ball, lamp + "1\n"), 0.1);
+    EXPECT_GT(chanceOfSun("", lamp + "1\n"), 0.1);
+    EXPECT_EQ(chanceOfSun(plane, ""), 1);
+}
+
+TEST(WorldBuilder, BeamsFromInfinityFillWhatIsBoundedAndNoMore) {
+    const std::string sun = "LightSource \"distant\" \"point3 from\" [0 1 0] \"point3 to\" [0 0 0]\n";
+    const Scene scene = built("LookAt 0 900 0  0 0 0  0 0 1\nCamera \"perspective\"\nWorldBegin\n" + sun +
+                              "LightSource \"point\" \"point3 from\" [0 1e5 0]\nShape \"sphere\"\n");
+    const auto emitted =
+        scene.world.lights.lights().front()->emit(V2f(0.99f, 0.3f), V2f(0.5f), SampledWavelengths::visible(0.5f));
+    ASSERT_TRUE(emitted);
+    EXPECT_LT(maxAbs(emitted->ray.o), 4);
+}
+
 TEST(WorldBuilder, WrongShapes) {
     EXPECT_EQ(worldErrors("Shape \"sphere\" \"float radius\" 0"),
               Lines{"2:1: error: \"radius\" is 0, must be positive"});
