@@ -116,8 +116,7 @@ class Translator {
         if (options_.onlyRevolutions && node.type != "revolution") return result;
         if (node.type == "plane") {
             diagnostics_.warning(node.place,
-                                 "pbrt-v4 has no infinite plane: written as a disk of a hundred times the "
-                                 "scene's radius",
+                                 "pbrt-v4 has no infinite plane: written as a disk of 10000 times the scene's radius",
                                  "its (u, v) are those of a disk");
             return planeAsDisk(node, seen);
         }

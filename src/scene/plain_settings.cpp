@@ -118,9 +118,11 @@ Node plainIntegrator(const Node& integrator, bool needsVolumes, Diagnostics& dia
     } else if (needsVolumes && !info->followsMedia) {
         info = findIntegrator("volpath");
         if (integrator.type != "path") // pbrt-v4's volpath is its path with media: nothing is lost
-            diagnostics.warning(integrator.typePlace,
-                                fmt::format("pbrt-v4's integrator \"{}\" knows no absorption: written as \"{}\"",
-                                            integrator.type, info->name));
+            diagnostics.warning(
+                integrator.typePlace,
+                fmt::format("pbrt-v4's integrator \"{}\" follows no light through media, nor always through "
+                            "surfaces without a material: written as \"{}\"",
+                            integrator.type, info->name));
     }
     result.type = info->name;
     result.parameters = rewritten(integrator, [&](const ParameterPtr& p) {

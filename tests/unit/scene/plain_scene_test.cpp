@@ -94,7 +94,7 @@ TEST_F(Plain, NormalsStayHoweverShapesArePlaced) {
     const std::string shapes[] = {bowl, "Shape \"box\" \"point3 pmin\" [ -.5 0 -1 ] \"point3 pmax\" [ 2 1 1 ]\n",
                                   "Shape \"plane\" \"normal n\" [ 0 2 1 ] \"float d\" 3\n"};
     for (const std::string& shape : shapes)
-        for (const std::string& placed :
+        for (const std::string placed :
              {"", "Scale -1 1 1\n", "ReverseOrientation\n", "Scale 1 1 -2\nReverseOrientation\nRotate 20 1 2 3\n"}) {
             const std::string text = "WorldBegin\n" + placed + shape;
             const Scene exact = built(text), written = readBack(plain(text));
@@ -143,8 +143,8 @@ TEST_F(Plain, PlanesBecomeDisksThatReachBeyondEverything) {
     const ShapeNode& disk = scene.nodes.shapes[1];
     EXPECT_EQ(disk.type, "disk");
     const double radius = disk.parameters.getFloat("radius", 0);
-    EXPECT_GT(radius, 1000);
-    EXPECT_LT(radius, 1e4);
+    EXPECT_GT(radius, 1e5);
+    EXPECT_LT(radius, 1e6);
     EXPECT_NEAR(disk.worldFromObject->start.point(V3d(0, 0, 0)).y, -1, 1e-12);
 }
 
@@ -179,6 +179,18 @@ TEST_F(Plain, IntegratorsOfOursAreReplacedAloud) {
     const PlainScene nee = plain("Integrator \"path\" \"bool nee\" false\nWorldBegin\n");
     EXPECT_THAT(warnings(nee), ElementsAre(HasSubstr("no parameter \"nee\"")));
     EXPECT_EQ(nee.nodes.integrator.type, "path");
+    const PlainScene ppm = plain("Integrator \"ppm\" \"integer maxdepth\" 6 \"float radius\" .1\nWorldBegin\n");
+    EXPECT_THAT(warnings(ppm), ElementsAre(HasSubstr("no integrator \"ppm\": written as \"path\""),
+                                           HasSubstr("no parameter \"radius\"")));
+    EXPECT_THAT(ppm.nodes.integrator.parameters.names(), ElementsAre("maxdepth"));
+    const PlainScene sppm =
+        plain("Integrator \"sppm\" \"float radius\" .1 \"string radiusrule\" \"shared\"\nWorldBegin\n");
+    EXPECT_THAT(warnings(sppm), ElementsAre(HasSubstr("no parameter \"radiusrule\"")));
+    EXPECT_EQ(sppm.nodes.integrator.type, "sppm");
+    const PlainScene filled = plain("Integrator \"sppm\"\nWorldBegin\nMaterial \"dielectric\" \"float absorption\" 1\n"
+                                    "Shape \"sphere\"\n");
+    EXPECT_THAT(warnings(filled), ElementsAre(HasSubstr("\"sppm\" follows no light through media")));
+    EXPECT_EQ(filled.nodes.integrator.type, "volpath");
     // pbrt-v4's "path" lets surfaces without a material block light.
     EXPECT_EQ(plain("Integrator \"path\"\nWorldBegin\nMaterial \"none\"\nShape \"sphere\"\n").nodes.integrator.type,
               "volpath");
