@@ -46,7 +46,15 @@ void Film::add(const V2i& pixel, const SampledSpectrum& radiance, const SampledW
     if (largest > settings_.maxComponentValue) xyz *= settings_.maxComponentValue / largest;
     const Rgb rgb = settings_.colorSpace->fromXyz(xyz) * weight;
 
-    const std::size_t at = index(pixel);
+    addToSums(index(pixel), rgb, weight, half);
+}
+
+void Film::addSplat(const V2i& pixel, const SampledSpectrum& value, const SampledWavelengths& lambda, unsigned half) {
+    const Xyz xyz = sensorXyz(value, lambda) * settings_.imagingRatio;
+    addToSums(index(pixel), settings_.colorSpace->fromXyz(xyz), 0, half);
+}
+
+void Film::addToSums(std::size_t at, const Rgb& rgb, float weight, unsigned half) {
     if (!std::isfinite(rgb.x) || !std::isfinite(rgb.y) || !std::isfinite(rgb.z) || !std::isfinite(weight)) {
         ++bad_[at];
         return;

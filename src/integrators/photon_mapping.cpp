@@ -176,7 +176,7 @@ void PhotonMappingIntegrator::addPass(const World& world, std::uint64_t pass, Fi
     film.addPassWavelengths(lambda);
 
     PhotonPass photons = photonTracer_->trace(pass, lambda);
-    counters.photonPaths.fetch_add(photons.paths, std::memory_order_relaxed);
+    counters.photonPaths.fetch_add(photonsPerPass_, std::memory_order_relaxed);
     counters.landedPaths.fetch_add(photons.landedPaths, std::memory_order_relaxed);
     counters.photons.fetch_add(photons.photons.size(), std::memory_order_relaxed);
     counters.lostExits.fetch_add(photons.lostExits, std::memory_order_relaxed);

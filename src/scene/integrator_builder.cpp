@@ -1,5 +1,6 @@
 #include "scene/integrator_builder.h"
 
+#include "integrators/light_tracing.h"
 #include "integrators/path.h"
 #include "integrators/photon_mapping.h"
 #include "scene/registry.h"
@@ -22,13 +23,18 @@ std::unique_ptr<Integrator> path(const ParameterSet& p, const SamplerSettings& s
     return std::make_unique<PathIntegrator>(s, sampler);
 }
 
+std::int64_t pathsPerPass(const ParameterSet& p) {
+    const int paths = p.getInteger("photonsperiteration", -1);
+    if (paths == 0 || paths < -1)
+        p.error("photonsperiteration", "\"photonsperiteration\" must be positive, or -1 for as many as pixels");
+    return paths;
+}
+
 PhotonMappingSettings photonMapping(const ParameterSet& p) {
     PhotonMappingSettings s;
     s.maxDepth = s.eye.maxDepth = p.getInteger("maxdepth", s.maxDepth);
     if (s.maxDepth < 0) p.error("maxdepth", "\"maxdepth\" must not be negative");
-    s.photonsPerPass = p.getInteger("photonsperiteration", -1);
-    if (s.photonsPerPass == 0 || s.photonsPerPass < -1)
-        p.error("photonsperiteration", "\"photonsperiteration\" must be positive, or -1 for as many as pixels");
+    s.photonsPerPass = pathsPerPass(p);
     s.rule = p.getChoice("radiusrule", "shared", {"shared", "perpoint"}) == "shared" ? RadiusRule::Shared
                                                                                      : RadiusRule::PerPoint;
     s.alpha = p.getFloat("alpha", float(s.alpha));
@@ -42,6 +48,14 @@ PhotonMappingSettings photonMapping(const ParameterSet& p) {
     s.kernel = p.getChoice("kernel", "epanechnikov", {"constant", "epanechnikov"}) == "constant" ? Kernel::Constant
                                                                                                  : Kernel::Epanechnikov;
     return s;
+}
+
+std::unique_ptr<Integrator> lightPath(const ParameterSet& p, const SamplerSettings& sampler) {
+    LightTracingSettings s;
+    s.maxDepth = p.getInteger("maxdepth", s.maxDepth);
+    if (s.maxDepth < 0) p.error("maxdepth", "\"maxdepth\" must not be negative");
+    s.pathsPerPass = pathsPerPass(p);
+    return std::make_unique<LightTracingIntegrator>(s, sampler);
 }
 
 std::unique_ptr<Integrator> sppm(const ParameterSet& p, const SamplerSettings& sampler) {
@@ -62,10 +76,20 @@ std::unique_ptr<Integrator> ppm(const ParameterSet& p, const SamplerSettings& sa
 }
 
 using IntegratorBuilder = std::unique_ptr<Integrator> (*)(const ParameterSet&, const SamplerSettings&);
-constexpr RegistryEntry<IntegratorBuilder> integratorTypes[] = {
-    {"path", path}, {"volpath", path}, {"lightpath"},  {"ppm", ppm},     {"sppm", sppm},
-    {"bdpt"},       {"vcm"},           {"hybrid"},     {"mlt"},          {"ambientocclusion"},
-    {"function"},   {"randomwalk"},    {"simplepath"}, {"simplevolpath"}};
+constexpr RegistryEntry<IntegratorBuilder> integratorTypes[] = {{"path", path},
+                                                                {"volpath", path},
+                                                                {"lightpath", lightPath},
+                                                                {"ppm", ppm},
+                                                                {"sppm", sppm},
+                                                                {"bdpt"},
+                                                                {"vcm"},
+                                                                {"hybrid"},
+                                                                {"mlt"},
+                                                                {"ambientocclusion"},
+                                                                {"function"},
+                                                                {"randomwalk"},
+                                                                {"simplepath"},
+                                                                {"simplevolpath"}};
 
 } // namespace
 

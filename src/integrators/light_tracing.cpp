@@ -1,0 +1,139 @@
+#include "integrators/light_tracing.h"
+
+#include "integrators/tiles.h"
+#include "paths/direct_light.h"
+
+namespace vitrine {
+
+namespace {
+
+/// Pixels are added to by strips of so many rows, each by one thread.
+constexpr int stripRows = 16;
+
+} // namespace
+
+/// What one connection adds to a pixel.
+struct LightTracingIntegrator::Splat {
+    V2i pixel;
+    SampledSpectrum value; ///< in the pass's order of wavelengths
+};
+
+/// Of a block of light paths, strip by strip of the picture.
+struct LightTracingIntegrator::Splats {
+    std::vector<std::vector<Splat>> strips;
+    int lostExits = 0;
+};
+
+void LightTracingIntegrator::check(const World& world) const {
+    if (world.lights.empty()) throw std::invalid_argument("light tracing needs a light: this scene has none");
+}
+
+/// Lights that the camera sees without anything that scatters between them: one camera ray a pixel.
+void LightTracingIntegrator::addSeenLights(const World& world, std::uint64_t pass, const SampledWavelengths& lambda,
+                                           Film& film, RenderCounters& counters) const {
+    const FilmSettings& settings = film.settings();
+    const auto renderPixel = [&](const V2i& pixel) {
+        SampleStream stream(sampler_, pixel, pass);
+        const Filter::Sample filtered = film.filter().sample(stream.get2D());
+        const V2d raster(pixel.x + 0.5 + filtered.p.x, pixel.y + 0.5 + filtered.p.y);
+        SampledSpectrum light(0.f);
+        if (const auto camera = world.camera->generate({raster, stream.get2D()})) {
+            Walk walk(world, TransportMode::Radiance, lambda,
+                      world.raysStartApart ? interiorAt(world, camera->ray.o) : world.cameraInterior);
+            walk.ray = camera->ray;
+            const LastBounce fromCamera;
+            Vertex vertex;
+            for (;;) {
+                if (!walk.advance(vertex)) {
+                    light += walk.beta * escapedLight(world, walk, fromCamera);
+                    break;
+                }
+                light += walk.beta * emittedLight(world, walk, vertex, fromCamera);
+                if (vertex.scatters) break;
+                walk.passThrough(vertex);
+            }
+            light *= camera->weight;
+        }
+        film.add(pixel, light, lambda, filtered.weight, unsigned(pass & 1));
+    };
+    forEachPixel(settings.cropMin, settings.cropMax, renderPixel,
+                 [&](int pixels) { counters.samples.fetch_add(std::uint64_t(pixels), std::memory_order_relaxed); });
+}
+
+void LightTracingIntegrator::connect(const World& world, const Vertex& vertex, const Bsdf& bsdf, const Walk& walk,
+                                     int hero, SampleStream& stream, const Film& film, Splats& splats) const {
+    if (!bsdf.isNonSpecular()) return;
+    const SurfacePoint& point = vertex.point();
+    const auto camera = world.camera->connect(point.p, stream.get2D());
+    if (!camera) return;
+    const V3f wo = vertex.frame.toLocal(vertex.wo), wi = vertex.frame.toLocal(camera->wi);
+    const SampledSpectrum f = bsdf.f(wo, wi, TransportMode::Importance) *
+                              (std::abs(wi.z) * shadingNormalCorrection(point, vertex.wo, camera->wi));
+    if (f.isBlack()) return;
+    // Without a lens rays may come from infinitely far: then there is no lens point to stop at.
+    const SampledSpectrum arriving = shadowTransmittance(world, vertex, shadowTo(camera->pLens, point.p), camera->wi,
+                                                         walk.interior(), walk.lambda());
+    const FilmSettings& settings = film.settings();
+    const double pixels = double(settings.resolution.x) * double(settings.resolution.y);
+    const double share = double(camera->we) / double(camera->pdf) * pixels / double(pathsPerPass_);
+    const SampledSpectrum value = rotatedBack(walk.beta * f * arriving * float(share), hero);
+    if (value.isBlack()) return;
+    // To every pixel whose filter reaches here.
+    const V2f& radius = settings.filter.radius;
+    const V2d from = camera->raster - V2d(radius.x, radius.y) - V2d(0.5),
+              to = camera->raster + V2d(radius.x, radius.y) - V2d(0.5);
+    for (int y = std::max(settings.cropMin.y, int(std::ceil(from.y)));
+         y <= std::min(settings.cropMax.y - 1, int(std::floor(to.y))); ++y)
+        for (int x = std::max(settings.cropMin.x, int(std::ceil(from.x)));
+             x <= std::min(settings.cropMax.x - 1, int(std::floor(to.x))); ++x) {
+            const V2d offset = camera->raster - V2d(x + 0.5, y + 0.5);
+            const float weight = film.filter()(V2f(float(offset.x), float(offset.y)));
+            if (weight != 0)
+                splats.strips[std::size_t((y - settings.cropMin.y) / stripRows)].push_back({V2i(x, y), value * weight});
+        }
+}
+
+void LightTracingIntegrator::addLightPaths(const World& world, std::uint64_t pass, const SampledWavelengths& lambda,
+                                           Film& film, RenderCounters& counters) const {
+    constexpr std::uint64_t blockSize = 4096;
+    const auto strips = std::size_t((film.settings().cropSize().y + stripRows - 1) / stripRows);
+    std::vector<Splats> blocks((pathsPerPass_ + blockSize - 1) / blockSize);
+    tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t b) {
+        const PlainArithmetic plain;
+        Splats& splats = blocks[b];
+        splats.strips.resize(strips);
+        for (std::uint64_t path = b * blockSize; path < std::min(pathsPerPass_, (b + 1) * blockSize); ++path)
+            splats.lostExits += paths_->follow(
+                pass, path, lambda,
+                [&](const Vertex& vertex, const Bsdf& bsdf, const Walk& walk, int, int hero, SampleStream& stream) {
+                    connect(world, vertex, bsdf, walk, hero, stream, film, splats);
+                });
+    });
+    // No pixel belongs to two strips, so nothing is locked; the film's sums do not depend on order.
+    tbb::parallel_for(std::size_t(0), strips, [&](std::size_t strip) {
+        const PlainArithmetic plain;
+        for (const Splats& splats : blocks)
+            for (const Splat& splat : splats.strips[strip])
+                film.addSplat(splat.pixel, splat.value, lambda, unsigned(pass & 1));
+    });
+    for (const Splats& splats : blocks)
+        counters.lostExits.fetch_add(std::uint64_t(splats.lostExits), std::memory_order_relaxed);
+    counters.photonPaths.fetch_add(pathsPerPass_, std::memory_order_relaxed);
+}
+
+void LightTracingIntegrator::addPasses(const World& world, PassRange passes, Film& film, RenderCounters& counters) {
+    if (!paths_) {
+        const V2i& resolution = film.settings().resolution;
+        pathsPerPass_ = settings_.pathsPerPass >= 0 ? std::uint64_t(settings_.pathsPerPass)
+                                                    : std::uint64_t(resolution.x) * std::uint64_t(resolution.y);
+        paths_.emplace(world, settings_.maxDepth, sampler_);
+    }
+    for (std::uint64_t pass = passes.begin; pass < passes.end; ++pass) {
+        const SampledWavelengths lambda = passWavelengths(pass, sampler_.seed);
+        film.addPassWavelengths(lambda);
+        addSeenLights(world, pass, lambda, film, counters);
+        addLightPaths(world, pass, lambda, film, counters);
+    }
+}
+
+} // namespace vitrine

@@ -1,0 +1,78 @@
+// Paths that start at lights.
+#pragma once
+
+#include "core/sampler.h"
+#include "paths/pass_wavelengths.h"
+#include "paths/walk.h"
+
+namespace vitrine {
+
+/// Light paths, each a pure function of (seed, pass, path). Photons and light tracing differ in what they do at vertices.
+class LightPaths {
+  public:
+    /// \param world outlives this; must have lights  \param maxVertices surfaces a path may scatter at
+    LightPaths(const World& world, int maxVertices, const SamplerSettings& sampler);
+
+    /// Follows a path and calls atVertex(vertex, bsdf, walk, depth, hero, stream) at each surface that it meets and that
+    /// scatters; depth counts from 0. walk.beta is the power that arrives there, hero first.
+    /// \param lambda of the pass  \return Walk::lostExits()
+    template <class AtVertex>
+    int follow(std::uint64_t pass, std::uint64_t path, const SampledWavelengths& lambda, AtVertex&& atVertex) const;
+
+    /// Dimensions of the stream that a vertex leaves for atVertex, from its stream's position on.
+    static constexpr std::uint32_t vertexDimensions = 3;
+
+  private:
+    /// Dimensions of the sample streams: which light, where, which way; then those of vertices and their scattering.
+    static constexpr std::uint32_t emissionDimensions = 3, bounceDimensions = vertexDimensions + 3;
+
+    SampleStream stream(std::uint64_t pass, std::uint64_t path) const;
+    InteriorStack interiorRound(const Light* light, const Ray& ray) const;
+
+    const World& world_;
+    int maxVertices_;
+    SamplerSettings sampler_;
+    /// Solids round each light, where they are the same for all its rays.
+    std::unordered_map<const Light*, InteriorStack> interiors_;
+};
+
+template <class AtVertex>
+int LightPaths::follow(std::uint64_t pass, std::uint64_t path, const SampledWavelengths& lambda,
+                       AtVertex&& atVertex) const {
+    SampleStream numbers = stream(pass, path);
+    const auto chosen = world_.lights.sample(numbers.get1D());
+    const V2f uPosition = numbers.get2D(), uDirection = numbers.get2D();
+    const int hero = heroOf(path, pass);
+    const SampledWavelengths own = lambda.rotated(hero);
+    const auto emission = chosen.light->emit(uPosition, uDirection, own);
+    if (!emission) return 0;
+    Walk walk(world_, TransportMode::Importance, own, interiorRound(chosen.light, emission->ray));
+    walk.ray = emission->ray;
+    walk.beta = emission->power / chosen.probability;
+
+    Vertex vertex;
+    for (int depth = 0; depth < maxVertices_ && walk.advance(vertex);) {
+        if (!vertex.scatters) {
+            walk.passThrough(vertex);
+            continue;
+        }
+        const Bsdf bsdf = walk.bsdfAt(vertex);
+        const std::uint32_t dimension = emissionDimensions + std::uint32_t(depth) * bounceDimensions;
+        numbers.setDimension(dimension);
+        atVertex(vertex, bsdf, walk, depth, hero, numbers);
+        if (++depth == maxVertices_) break;
+        numbers.setDimension(dimension + vertexDimensions);
+        const float power = walk.beta.average();
+        const float uLobe = numbers.get1D();
+        if (!walk.scatter(vertex, bsdf, uLobe, numbers.get2D())) break;
+        // Survival by what the scattering left keeps the power of photons even: many alike serve better than a few strong.
+        const float survival = walk.beta.average() / power;
+        if (survival < 1) {
+            if (numbers.get1D() >= survival) break;
+            walk.beta /= survival;
+        }
+    }
+    return walk.lostExits();
+}
+
+} // namespace vitrine
