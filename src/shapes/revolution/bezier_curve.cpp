@@ -42,8 +42,8 @@ Halves splitPoints(const std::vector<V2d>& points, double t) {
 } // namespace
 
 BezierCurve::BezierCurve(std::vector<V2d> points) : points_(checked(std::move(points))), bernstein_(points_) {
-    // Above this degree the power basis serves none but nearly straight curves, and its preparation costs O(n^2).
-    constexpr int maxPowerDegree = 16;
+    // Above this degree the power basis serves none but nearly straight curves, and its preparation is slow.
+    constexpr int maxPowerDegree = 12;
     if (degree() > maxPowerDegree) return;
     const PowerForm power(points_);
     const CurvePointError &stable = bernstein_.error(), &quick = power.error();
@@ -59,9 +59,9 @@ std::pair<BezierCurve, BezierCurve> BezierCurve::split(double t) const {
     return {BezierCurve(std::move(halves.first)), BezierCurve(std::move(halves.second))};
 }
 
-BezierCurve BezierCurve::part(double ta, double tb) const {
+std::vector<V2d> BezierCurve::partPoints(double ta, double tb) const {
     std::vector<V2d> head = tb < 1 ? splitPoints(points_, tb).first : points_;
-    return BezierCurve(ta > 0 ? splitPoints(head, ta / tb).second : std::move(head));
+    return ta > 0 ? splitPoints(head, ta / tb).second : std::move(head);
 }
 
 BezierCurve BezierCurve::derivative() const {

@@ -34,7 +34,8 @@ class BezierCurve {
     double pointError() const { return bernstein_.error().p; }
 
     /// The part over [ta, tb], by de Casteljau.
-    BezierCurve part(double ta, double tb) const;
+    BezierCurve part(double ta, double tb) const { return BezierCurve(partPoints(ta, tb)); }
+    std::vector<V2d> partPoints(double ta, double tb) const;
     std::pair<BezierCurve, BezierCurve> split(double t) const;
     /// The hodograph: the derivative by t as a curve, of one degree less (of a line: its one point twice).
     BezierCurve derivative() const;

@@ -35,18 +35,18 @@ BezierCurve withEnds(const BezierCurve& curve, const V2d& first, const V2d& last
 
 /// Whether the control polygon stays within a tenth of its chord: then a ray's polynomial rarely has more than one sign
 /// variation, and the ring about the part is thin.
-bool isNearlyStraight(const BezierCurve& curve) {
-    const V2d chord = curve.last() - curve.first();
+bool isNearlyStraight(const std::vector<V2d>& points) {
+    const V2d chord = points.back() - points.front();
     const double length = chord.length();
-    for (const V2d& p : curve.points()) {
-        const V2d d = p - curve.first();
+    for (const V2d& p : points) {
+        const V2d d = p - points.front();
         if (std::abs(d.x * chord.y - d.y * chord.x) > 0.1 * length * length) return false;
     }
     return true;
 }
 
 void appendCuts(const BezierCurve& curve, double ta, double tb, int depth, std::vector<double>& cuts) {
-    if (depth > 0 && !isNearlyStraight(curve.part(ta, tb))) {
+    if (depth > 0 && !isNearlyStraight(curve.partPoints(ta, tb))) {
         const double tm = (ta + tb) / 2;
         appendCuts(curve, ta, tm, depth - 1, cuts);
         appendCuts(curve, tm, tb, depth - 1, cuts);
@@ -127,11 +127,13 @@ void Profile::divide() {
             if (turn - cuts.back() > tiny) appendCuts(segment, cuts.back(), turn, maxHalvings, cuts);
         V2d start = segment.first();
         for (std::size_t k = 1; k < cuts.size(); ++k) {
-            const BezierCurve part = segment.part(cuts[k - 1], cuts[k]);
-            V2d end = cuts[k] == 1 ? segment.last() : part.last();
+            std::vector<V2d> part = segment.partPoints(cuts[k - 1], cuts[k]);
+            V2d end = cuts[k] == 1 ? segment.last() : part.back();
             if (cuts[k] != 1) end.x = std::max(end.x, 0.);
-            parts_.push_back(
-                {withEnds(part, start, end), int(i), (double(i) + cuts[k - 1]) / count, (double(i) + cuts[k]) / count});
+            part.front() = start;
+            part.back() = end;
+            parts_.push_back({BezierCurve(std::move(part)), int(i), (double(i) + cuts[k - 1]) / count,
+                              (double(i) + cuts[k]) / count});
             start = end;
         }
     }
