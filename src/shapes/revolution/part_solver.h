@@ -55,6 +55,10 @@ class PartSolver {
     bool offerRoot(const Function& function, Bracket bracket, double guess, HitCollector& hits) const;
 
     void solveSteep(HitCollector& hits) const;
+    struct Dip {
+        double t, y;
+    };
+    std::optional<Dip> findDip(const Quadratic& f) const;
     void solveSeveral(const Quadratic& f, int variations, HitCollector& hits) const;
     bool isolateSteep(const Quadratic& f, double* c, double ta, double tb, int depth, HitCollector& hits) const;
     bool isInOrder(const AxialRay& ray) const { return (y1_ > y0_) == (ray.v > 0); }

@@ -73,24 +73,41 @@ void PartSolver::solveSteep(HitCollector& hits) const {
     solveSeveral(f, variations, hits);
 }
 
+/// A place where F's sign differs from that at the ends, if one of three that it is likely at serves: the middle, the
+/// vertex of the parabola, and where the ray has the profile's height as it is closest to the axis (P = 0), between its
+/// two sides; there F is negative if the profile is farther from the axis than the ray ever comes.
+std::optional<PartSolver::Dip> PartSolver::findDip(const Quadratic& f) const {
+    const bool negative = f.f0 < 0;
+    if ((f.fHalf < 0) != negative) return Dip{0.5, yHalf_};
+    const double vertex = f.vertex();
+    const CurveSample c = curve_.at(vertex);
+    if ((f[c] < 0) != negative) return Dip{vertex, c.y};
+    const double pa = f.ray.P(y0_), pb = f.ray.P(y1_);
+    if (negative || (pa < 0) == (pb < 0)) return std::nullopt;
+    double t = pa / (pa - pb);
+    for (int i = 0; i < 3; ++i) {
+        const CurveSample d = curve_.at(t);
+        if (f[d] < 0) return Dip{t, d.y};
+        t -= f.ray.P(d.y) / (f.ray.h * d.dy);
+        if (!(t > 0 && t < 1)) break;
+    }
+    return std::nullopt;
+}
+
 /// As it runs up or down a part, a steep ray meets what it meets in order: after a hit that is the first so far, all
 /// others of the part come later.
 void PartSolver::solveSeveral(const Quadratic& f, int variations, HitCollector& hits) const {
-    const bool negative = f.f0 < 0;
-    const double t = f.vertex();
-    if (variations == 2) {
-        const CurveSample c = curve_.at(t);
-        if ((f[c] < 0) != negative) {
+    const bool negative = f.f0 < 0, inOrder = isInOrder(f.ray);
+    if (variations == 2)
+        if (const std::optional<Dip> dip = findDip(f)) {
             const auto solveHalf = [&](bool first) {
-                if (hits.settles(first ? y0_ : c.y, first ? c.y : y1_)) return true;
-                return offerRoot(f, first ? Bracket{0, t, negative} : Bracket{t, 1, !negative},
+                if (hits.settles(first ? y0_ : dip->y, first ? dip->y : y1_)) return true;
+                return offerRoot(f, first ? Bracket{0, dip->t, negative} : Bracket{dip->t, 1, !negative},
                                  f.guess(negative == first), hits);
             };
-            const bool inOrder = isInOrder(f.ray);
             if (!(solveHalf(inOrder) && hits.wantsOne())) solveHalf(!inOrder);
             return;
         }
-    }
     double c[maxCoefficients + 3];
     for (int i = 0; i < quadruples_; ++i) {
         const Lanes four = f.coefficients(squares_[std::size_t(i)]);
@@ -100,8 +117,8 @@ void PartSolver::solveSeveral(const Quadratic& f, int variations, HitCollector& 
     c[0] = f.f0;
     c[coefficients_ - 1] = f.f1;
     double left[maxCoefficients];
+    const double t = f.vertex();
     bernstein::split(c, left, coefficients_, t);
-    const bool inOrder = isInOrder(f.ray);
     const auto solveHalf = [&](bool first) {
         return first ? isolateSteep(f, left, 0, t, maxDepth - 1, hits) : isolateSteep(f, c, t, 1, maxDepth - 1, hits);
     };
