@@ -18,6 +18,7 @@ constexpr double pixelsPerPoint = 2; ///< a figure is 980 points wide
 
 struct ProfileArguments {
     std::string file, output, ray, only;
+    std::vector<std::string> settings;
 };
 
 std::string lowerExtension(const std::string& file) {
@@ -36,19 +37,22 @@ std::optional<Ray> readRay(const std::string& text) {
     return ray;
 }
 
-/// Those with this id, or else the one of this number, counted from 1.
+/// All that are shown; or those with this name, or else the one of this number, counted from 1 among those shown.
 std::vector<FoundProfile> chosen(const std::vector<FoundProfile>& all, const std::string& only) {
-    if (only.empty()) return all;
-    std::vector<FoundProfile> result;
+    std::vector<FoundProfile> shown, named;
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (!all[i].id.empty()) names.push_back(all[i].id);
-        if (all[i].id == only) result.push_back(all[i]);
+    for (const FoundProfile& profile : all) {
+        if (!profile.hidden) shown.push_back(profile);
+        for (const std::string& name : profile.names)
+            if (!name.empty()) names.push_back(name);
+        if (std::find(profile.names.begin(), profile.names.end(), only) != profile.names.end())
+            named.push_back(profile);
     }
-    for (std::size_t i = 0; i < all.size() && result.empty(); ++i)
-        if (std::to_string(i + 1) == only) return {all[i]};
-    if (!result.empty()) return result;
-    std::string message = fmt::format("--only {}: there are the profiles 1 to {}", only, all.size());
+    if (only.empty()) return shown;
+    if (!named.empty()) return named;
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        if (std::to_string(i + 1) == only) return {shown[i]};
+    std::string message = fmt::format("--only {}: the profiles have the numbers 1 to {}", only, shown.size());
     if (const std::string hint = didYouMean(only, names); !hint.empty()) message += "\n    " + hint;
     throw std::invalid_argument(message);
 }
@@ -72,13 +76,18 @@ void drawProfiles(ProfileArguments a) {
     if (fs::equivalent(a.output, a.file, ignored))
         throw std::invalid_argument(fmt::format("{}: the figure would replace what is drawn", a.output));
 
-    const FoundProfiles found = profilesOfScene(a.file, ray);
+    const bool isSvg = lowerExtension(a.file) == ".svg" || lowerExtension(a.file) == ".svgz";
+    if (!isSvg && !a.settings.empty())
+        throw std::invalid_argument("--set says where the axis is in an SVG file: a scene says so itself");
+    const FoundProfiles found = isSvg ? profilesOfSvg(a.file, a.settings, ray) : profilesOfScene(a.file, ray);
     for (const Diagnostic& warning : found.warnings)
         fmt::print(stderr, "{}\n", warning.toString());
-    if (found.profiles.empty())
-        throw std::invalid_argument(fmt::format("{}: there is no shape \"revolution\" in this scene", a.file));
+    const std::vector<FoundProfile> profiles = chosen(found.profiles, a.only);
+    if (profiles.empty())
+        throw std::invalid_argument(fmt::format(
+            "{}: there is no {}", a.file, isSvg ? "outline in this drawing" : "shape \"revolution\" in this scene"));
     plot::Figure figure;
-    for (const FoundProfile& profile : chosen(found.profiles, a.only))
+    for (const FoundProfile& profile : profiles)
         plot::addProfile(figure, profile.drawing);
     write(figure, a.output);
 }
@@ -92,6 +101,13 @@ void registerProfile(CLI::App& app) {
     command->add_option("-o,--outfile", a->output,
                         "Figure to write: .svg or .png; by default FILE's name with _profile.svg");
     command->add_option("--only", a->only, "The profile of this number, from 1, or with this id in an SVG file");
+    command
+        ->add_option(
+            "--set", a->settings,
+            "key=value: where the axis is in an SVG file, as in Shape \"revolution\" (origin, axis, flipx, flipy, "
+            "scale, unit)")
+        ->take_all()
+        ->allow_extra_args(false);
     command->add_option(
         "--ray", a->ray,
         "ox,oy,oz,dx,dy,dz: also draw where this ray meets the profile, turned. World space; for an SVG "

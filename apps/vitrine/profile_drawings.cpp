@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <set>
 
 namespace {
@@ -14,31 +13,6 @@ namespace {
 using namespace vitrine;
 using plot::ProfileDrawing;
 using plot::shown;
-
-/// "8 segments of degree 3, 25 control points, ..."
-std::string describe(const std::vector<BezierCurve>& segments, const std::optional<Profile>& profile,
-                     const std::string& unit) {
-    std::set<int> degrees;
-    std::size_t points = 1;
-    double length = 0;
-    Imath::Box2d box;
-    for (const BezierCurve& segment : segments) {
-        degrees.insert(segment.degree());
-        points += std::size_t(segment.degree());
-        length += segment.length().value;
-        box.extendBy(segment.bounds());
-    }
-    const std::string degree = degrees.size() == 1
-                                   ? fmt::format("degree {}", *degrees.begin())
-                                   : fmt::format("degrees {} to {}", *degrees.begin(), *degrees.rbegin());
-    const std::string count = segments.size() == 1 ? "one segment" : fmt::format("{} segments", segments.size());
-    return fmt::format("{}{} of {}, {} control points; length {} {}, radius {} to {}, height {} to {}",
-                       !profile              ? ""
-                       : profile->isClosed() ? "closed: "
-                                             : "open: ",
-                       count, degree, points, shown(length, 5), unit, shown(box.min.x), shown(box.max.x),
-                       shown(box.min.y), shown(box.max.y));
-}
 
 /// The ways from the shape's space to the world, one for each instance.
 std::vector<Transform> placements(const SceneNodes& nodes, const SourceShape& shape) {
@@ -54,11 +28,6 @@ std::vector<Transform> placements(const SceneNodes& nodes, const SourceShape& sh
     return result;
 }
 
-std::string rayText(const std::string& space, const Ray& r) {
-    return fmt::format("{} ray from ({}, {}, {}) along ({}, {}, {})", space, shown(r.o.x), shown(r.o.y), shown(r.o.z),
-                       shown(r.d.x), shown(r.d.y), shown(r.d.z));
-}
-
 /// The ray in the space of the instance that it meets first, or of the first one when it meets none.
 void placeRay(ProfileDrawing& drawing, const Ray& ray, const std::vector<Transform>& worldFromObject) {
     double nearest = infinityD;
@@ -72,12 +41,40 @@ void placeRay(ProfileDrawing& drawing, const Ray& ray, const std::vector<Transfo
             }
     }
     drawing.ray = worldFromObject[chosen].inverse().ray(ray);
-    drawing.rayTitle = rayText("World-space", ray);
+    drawing.rayTitle = describeRay("World-space", ray);
     if (worldFromObject.size() > 1)
         drawing.rayTitle += fmt::format(", seen from instance {} of {}", chosen + 1, worldFromObject.size());
 }
 
 } // namespace
+
+std::string describeProfile(const ProfileDrawing& drawing) {
+    std::set<int> degrees;
+    std::size_t points = 1;
+    double length = 0;
+    Imath::Box2d box;
+    for (const BezierCurve& segment : drawing.segments) {
+        degrees.insert(segment.degree());
+        points += std::size_t(segment.degree());
+        length += segment.length().value;
+        box.extendBy(segment.bounds());
+    }
+    const std::string degree = degrees.size() == 1
+                                   ? fmt::format("degree {}", *degrees.begin())
+                                   : fmt::format("degrees {} to {}", *degrees.begin(), *degrees.rbegin());
+    const std::size_t count = drawing.segments.size();
+    return fmt::format("{}{} of {}, {} control points; length {} {}, radius {} to {}, height {} to {}",
+                       !drawing.profile              ? ""
+                       : drawing.profile->isClosed() ? "closed: "
+                                                     : "open: ",
+                       count == 1 ? "one segment" : fmt::format("{} segments", count), degree, points, shown(length, 5),
+                       drawing.unit, shown(box.min.x), shown(box.max.x), shown(box.min.y), shown(box.max.y));
+}
+
+std::string describeRay(const std::string& space, const Ray& r) {
+    return fmt::format("{} ray from ({}, {}, {}) along ({}, {}, {})", space, shown(r.o.x), shown(r.o.y), shown(r.o.z),
+                       shown(r.d.x), shown(r.d.y), shown(r.d.z));
+}
 
 FoundProfiles profilesOfScene(const std::string& file, const std::optional<Ray>& ray) {
     const SceneShapes scene = loadShapes(file, "revolution");
@@ -93,7 +90,7 @@ FoundProfiles profilesOfScene(const std::string& file, const std::optional<Ray>&
             drawing.segments = revolution.profile().segments();
             drawing.profile = revolution.profile();
             drawing.phiMaxDegrees = revolution.phiMaxDegrees();
-            drawing.subtitle = describe(drawing.segments, drawing.profile, drawing.unit);
+            drawing.subtitle = describeProfile(drawing);
             if (source.object >= 0) {
                 const std::string& name = scene.nodes->objects[std::size_t(source.object)].name;
                 drawing.subtitle += fmt::format("; in object \"{}\"", plot::unmarked(name));
@@ -105,7 +102,7 @@ FoundProfiles profilesOfScene(const std::string& file, const std::optional<Ray>&
                 else
                     placeRay(drawing, *ray, worldFromObject);
             }
-            found.profiles.push_back({"", std::move(drawing)});
+            found.profiles.push_back({{}, false, std::move(drawing)});
         }
     return found;
 }

@@ -6,7 +6,8 @@
 
 /// One thing to be drawn and the names it is chosen by.
 struct FoundProfile {
-    std::string id; ///< in an SVG file; or empty
+    std::vector<std::string> names; ///< id and label in an SVG file
+    bool hidden = false;            ///< drawn only when chosen by name
     vitrine::plot::ProfileDrawing drawing;
 };
 
@@ -19,3 +20,16 @@ struct FoundProfiles {
 /// \param ray in world space; a shape of several instances is drawn as the instance that it meets first
 /// \throws vitrine::SceneError, vitrine::FileError
 FoundProfiles profilesOfScene(const std::string& file, const std::optional<vitrine::Ray>& ray);
+
+/// Every outline; one that cannot be turned is drawn too, with a warning.
+/// \param settings parameters of a revolution that say where its axis is in the drawing, as for --set
+/// \param ray in the profile's own space
+/// \throws vitrine::SceneError, vitrine::FileError
+FoundProfiles profilesOfSvg(const std::string& file, const std::vector<std::string>& settings,
+                            const std::optional<vitrine::Ray>& ray);
+
+/// "closed: 8 segments of degree 3, ...", for the subtitle.
+std::string describeProfile(const vitrine::plot::ProfileDrawing& drawing);
+
+/// How a ray was given, for the figure.
+std::string describeRay(const std::string& space, const vitrine::Ray& ray);

@@ -21,6 +21,10 @@ void drawCurvature(Figure& figure, const Box2d& frame, const ProfileDrawing& dra
 /// d_r and d_b over y, for a horizontal ray d over s too, and the table of roots; returns the height used.
 double drawRay(Figure& figure, double top, const ProfileDrawing& drawing);
 
+/// Where along the ray and on the profile it meets the surface; the corner is that of the panels' frames.
+void drawRootTable(Figure& figure, const V2d& corner, const std::vector<RayRoot>& roots, double phiMaxDegrees);
+double rootTableHeight(std::size_t roots);
+
 /// Samples of one curve at equal steps of its parameter: dense enough for any figure.
 std::vector<V2d> densePoints(const BezierCurve& curve);
 inline constexpr int denseSteps = 512;

@@ -18,8 +18,8 @@ void addProfile(Figure& figure, const ProfileDrawing& drawing) {
     figure.add(Text{V2d(28, y + 32), drawing.title, 16, Anchor::Start, ink, true});
     figure.add(Text{V2d(28, y + 50), drawing.subtitle, 10.5, Anchor::Start, faintInk});
     if (!drawing.profile)
-        figure.add(Text{V2d(28, y + 66), "Cannot be turned: " + drawing.fault, 10.5, Anchor::Start, rootInk});
-    y += 100;
+        figure.add(Text{V2d(28, y + 67), "Cannot be turned: " + drawing.fault, 10.5, Anchor::Start, rootInk});
+    y += drawing.profile ? 100 : 117;
     drawProfilePanel(figure, Box2d(V2d(left, y), V2d(364, y + 380)), drawing);
     drawCurvatureComb(figure, Box2d(V2d(430, y), V2d(680, y + 380)), drawing);
     drawHodograph(figure, Box2d(V2d(748, y), V2d(right, y + 155)), drawing, 1);

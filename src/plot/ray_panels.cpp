@@ -45,22 +45,26 @@ void drawBothParts(Figure& figure, const Axes& axes, double low, double high, co
     figure.end();
 }
 
-/// Numbers of roots go to the left on the ray's way towards the axis and to the right on its way out, one below the
-/// other where there is no room beside the mark.
+/// Numbers of roots go to the left on the ray's way towards the axis and to the right on its way out, above an axial
+/// ray; one below the other where there is no room beside the mark.
 void drawNumbers(Figure& figure, const std::vector<V2d>& marks, const RayScene& scene) {
-    constexpr double lineHeight = 9.5, offset = 7;
+    constexpr double lineHeight = 9.5, lineWidth = 14, aside = 5;
+    const bool above = scene.section.isAxial();
     for (const bool outwards : {false, true}) {
         std::vector<std::size_t> order;
         for (std::size_t i = 0; i < marks.size(); ++i)
             if ((scene.roots[i].s > scene.section.sAtClosest()) == outwards) order.push_back(i);
         std::sort(order.begin(), order.end(),
                   [&](std::size_t a, std::size_t b) { return std::tie(marks[a].y, a) < std::tie(marks[b].y, b); });
-        double free = -infinityD;
+        std::vector<V2d> placed;
         for (const std::size_t i : order) {
-            const double y = std::max(marks[i].y, free);
-            free = y + lineHeight;
-            const V2d at(marks[i].x + (outwards ? offset : -offset), y + 3);
-            figure.add(Text{at, std::to_string(i + 1), 9, outwards ? Anchor::Start : Anchor::End, rootInk, true});
+            V2d at = marks[i] + (above ? V2d(0, -9) : V2d(outwards ? aside : -aside, -3));
+            for (const V2d& other : placed)
+                if (std::abs(other.x - at.x) < lineWidth && std::abs(other.y - at.y) < lineHeight)
+                    at.y = other.y + (above ? -lineHeight : lineHeight);
+            placed.push_back(at);
+            const Anchor anchor = above ? Anchor::Middle : outwards ? Anchor::Start : Anchor::End;
+            figure.add(Text{at, std::to_string(i + 1), 9, anchor, rootInk, true});
         }
     }
 }
@@ -171,58 +175,6 @@ void drawLegend(Figure& figure, V2d at) {
     figure.end();
 }
 
-struct Column {
-    std::string title;
-    double at; ///< right edge, in points from the table's left
-};
-
-std::string rootsTitle(const RayScene& scene) {
-    const auto met = std::count_if(scene.roots.begin(), scene.roots.end(), [](const RayRoot& r) { return r.counts(); });
-    return met == 0   ? "The ray meets nothing"
-           : met == 1 ? "The ray meets the surface once"
-                      : fmt::format("The ray meets the surface {} times", met);
-}
-
-constexpr double tableWidth = 300, rowHeight = 15;
-constexpr std::size_t maxRows = 60;
-
-double tableHeight(std::size_t roots) {
-    return rowHeight * double(std::min(roots, maxRows) + 4);
-}
-
-void drawTable(Figure& figure, const V2d& corner, const RayScene& scene) {
-    const Column columns[] = {{"", 14}, {"*s*", 78}, {"segment", 130}, {"*t*", 186}, {"*y*", 243}, {"*d*", tableWidth}};
-    figure.begin("root-table");
-    figure.add(Text{corner - V2d(0, 21), rootsTitle(scene), 12, Anchor::Start, ink, true});
-    double y = corner.y + 8;
-    const auto rule = [&](double width) {
-        figure.add(Line{{V2d(corner.x, y + 5), V2d(corner.x + tableWidth, y + 5)}, Pen{axisInk, width}});
-    };
-    for (const Column& column : columns)
-        figure.add(Text{V2d(corner.x + column.at, y), column.title, 9.5, Anchor::End, ink, true});
-    rule(0.8);
-    const std::size_t rows = std::min(scene.roots.size(), maxRows);
-    bool behind = false, left = false;
-    for (std::size_t i = 0; i < rows; ++i) {
-        const RayRoot& root = scene.roots[i];
-        y += rowHeight;
-        const std::string cells[] = {std::to_string(i + 1),         shown(root.s, 7), std::to_string(root.segment),
-                                     fmt::format("{:.6f}", root.t), shown(root.y, 6), shown(root.d, 6)};
-        for (std::size_t k = 0; k < std::size(cells); ++k)
-            figure.add(Text{V2d(corner.x + columns[k].at, y + 3), cells[k], 9.5, Anchor::End,
-                            root.counts() ? (k == 0 ? rootInk : ink) : faintInk, k == 0});
-        behind = behind || root.s <= 0;
-        left = left || !root.inSector;
-    }
-    y += 4;
-    rule(0.5);
-    std::string note = scene.roots.size() > rows ? fmt::format("and {} more. ", scene.roots.size() - rows) : "";
-    if (behind) note += "Hollow: behind the origin. ";
-    if (left) note += fmt::format("Hollow: beyond phimax = {}\u00b0.", shown(scene.drawing.phiMaxDegrees));
-    if (!note.empty()) figure.add(Text{V2d(corner.x, y + 20), note, 9, Anchor::Start, faintInk});
-    figure.end();
-}
-
 } // namespace
 
 double drawRay(Figure& figure, double top, const ProfileDrawing& drawing) {
@@ -230,7 +182,7 @@ double drawRay(Figure& figure, double top, const ProfileDrawing& drawing) {
     const RayScene scene(drawing);
     figure.begin("ray");
     figure.add(Text{V2d(left, top + 12), drawing.rayTitle, 10.5, Anchor::Start, rayInk});
-    const double upper = top + 56, lower = upper + std::max(230., tableHeight(scene.roots.size()));
+    const double upper = top + 56, lower = upper + std::max(230., rootTableHeight(scene.roots.size()));
     const double end = tableLeft - 48, middle = (left + end) / 2;
     if (scene.section.isHorizontal()) {
         drawDistanceOverHeight(figure, Box2d(V2d(left, upper), V2d(middle - gap / 2, lower)), scene);
@@ -239,7 +191,7 @@ double drawRay(Figure& figure, double top, const ProfileDrawing& drawing) {
         drawDistanceOverHeight(figure, Box2d(V2d(left, upper), V2d(end, lower)), scene);
     }
     drawLegend(figure, V2d(left, lower + 48));
-    drawTable(figure, V2d(tableLeft, upper), scene);
+    drawRootTable(figure, V2d(tableLeft, upper), scene.roots, drawing.phiMaxDegrees);
     figure.end();
     return lower + 68 - top;
 }

@@ -1,8 +1,6 @@
 #include "scene/revolution_builder.h"
 
 #include "nodes/lexer.h"
-#include "nodes/svg_file.h"
-#include "scene/drawn_profile.h"
 
 #include <fmt/format.h>
 
@@ -85,17 +83,22 @@ V2d scaleOfUnit(const ParameterSet& p, const SvgDrawing& drawing) {
 Profile profileOfFile(BuildContext& context, const ParameterSet& p) {
     const std::string name = p.getString("filename", "");
     const std::optional<std::string> id = p.findString("id");
-    ProfileFrame frame = frameOf(p, true);
     const SvgDrawing drawing = readSvgFile(context.file(p, "filename", name), p.valuePlace("filename", 0));
-    const V2d unit = scaleOfUnit(p, drawing);
-    frame.scenePerUnit *= unit;
-    frame.origin /= unit;
+    const ProfileFrame frame = frameOfFile(p, drawing);
     const SvgElement& element = drawing.choose(id, p.valuePlace(id ? "id" : "filename", 0));
     return profileOfDrawing(element.path, frame,
                             [&](const SvgSegment& segment) { return drawing.placeOf(segment.offset, segment.length); });
 }
 
 } // namespace
+
+ProfileFrame frameOfFile(const ParameterSet& parameters, const SvgDrawing& drawing) {
+    ProfileFrame frame = frameOf(parameters, true);
+    const V2d unit = scaleOfUnit(parameters, drawing);
+    frame.scenePerUnit *= unit;
+    frame.origin /= unit;
+    return frame;
+}
 
 Profile buildProfile(BuildContext& context, const ShapeNode& node) {
     const ParameterSet& p = node.parameters;
