@@ -46,13 +46,14 @@ std::string BuildContext::file(const ParameterSet& parameters, std::string_view 
 }
 
 SpectrumPtr BuildContext::namedOrFile(const SpectrumNode& node) {
-    auto& spectrum = spectra_[node.text];
-    if (spectrum) return spectrum;
-    if ((spectrum = namedSpectrum(node.text))) return spectrum;
+    if (auto named = namedSpectrum(node.text)) return named;
     const std::string path = resolveFile(nodes_, node.place, node.text);
+    // By path: the same text means another file in an included scene of another folder.
+    auto& spectrum = spectra_[path];
+    if (spectrum) return spectrum;
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored)) {
-        spectra_.erase(node.text);
+        spectra_.erase(path);
         throw SceneError(node.place, fmt::format("\"{}\" is neither a named spectrum nor a file", node.text),
                          didYouMean(node.text, namedSpectra()));
     }
