@@ -19,8 +19,8 @@ void convert(const ConvertArguments& a) {
     const ToneMap toneMap = toneMapNamed(a.toneMap);
     checkImageName(a.output);
     ImageMetadata metadata;
-    const Image image = readImage(a.input, &metadata);
-    const Image colours = inRec709(colourChannels(image, metadata.channelNames), metadata.chromaticities);
+    const Image read = readColours(a.input, metadata);
+    const Image colours = inRec709(read, metadata.chromaticities);
     metadata.channelNames.clear();
     std::fill(std::begin(metadata.chromaticities), std::end(metadata.chromaticities), 0.f);
     writeImage(a.output, toneMapped(colours, a.exposure, toneMap), metadata);

@@ -21,10 +21,10 @@ struct ColourPicture {
     V2i offset; ///< of the data window, pixels
 };
 
-ColourPicture readColours(const std::string& path) {
+ColourPicture readPicture(const std::string& path) {
     ImageMetadata metadata;
-    const Image image = readImage(path, &metadata);
-    return {inRec709(colourChannels(image, metadata.channelNames), metadata.chromaticities), metadata.offset};
+    const Image colours = readColours(path, metadata);
+    return {inRec709(colours, metadata.chromaticities), metadata.offset};
 }
 
 std::string asText(const Comparison& c) {
@@ -54,12 +54,12 @@ std::string asJson(const Comparison& c) {
 
 void diff(const DiffArguments& a) {
     if (!a.heatMap.empty()) checkImageName(a.heatMap);
-    const ColourPicture image = readColours(a.image), reference = readColours(a.reference);
+    const ColourPicture image = readPicture(a.image), reference = readPicture(a.reference);
     if (image.offset != reference.offset)
         throw std::invalid_argument(
             fmt::format("{} and {} are different crop windows of their pictures", a.image, a.reference));
     Image variance;
-    if (!a.variance.empty()) variance = readColours(a.variance).image;
+    if (!a.variance.empty()) variance = readPicture(a.variance).image;
 
     const Comparison comparison = compareImages(image.image, reference.image, a.variance.empty() ? nullptr : &variance);
     if (!a.heatMap.empty()) writeImage(a.heatMap, heatMap(image.image, reference.image));

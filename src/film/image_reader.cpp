@@ -4,6 +4,7 @@
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <filesystem>
@@ -128,6 +129,8 @@ Image colourChannels(const Image& image, const std::vector<std::string>& names) 
         const auto found = std::find(names.begin(), names.end(), name);
         if (found != names.end()) chosen.push_back(int(found - names.begin()));
     }
+    if (chosen.size() != 3 && image.channels >= 3 && !names.empty())
+        throw std::invalid_argument(fmt::format("there are no channels R, G and B, but {}", fmt::join(names, ", ")));
     if (chosen.size() != 3) chosen = image.channels < 3 ? std::vector<int>{0} : std::vector<int>{0, 1, 2};
     Image result{image.width, image.height, int(chosen.size()), {}};
     result.pixels.reserve(std::size_t(image.width) * std::size_t(image.height) * chosen.size());
@@ -136,6 +139,15 @@ Image colourChannels(const Image& image, const std::vector<std::string>& names) 
             for (int c : chosen)
                 result.pixels.push_back(image.at(x, y, c));
     return result;
+}
+
+Image readColours(const std::string& path, ImageMetadata& metadata) {
+    const Image image = readImage(path, &metadata);
+    try {
+        return colourChannels(image, metadata.channelNames);
+    } catch (const std::invalid_argument& e) {
+        fail(path, e.what());
+    }
 }
 
 } // namespace vitrine

@@ -35,7 +35,12 @@ void checkImageName(const std::string& path);
 /// that the file has, alpha not multiplied in. \throws FileError
 Image readImage(const std::string& path, ImageMetadata* metadata = nullptr);
 
-/// The channels named R, G and B; else, of three or more the first three, of fewer the first.
+/// The channels named R, G and B; of one or two channels the first, and of more without names the first three.
+/// \throws std::invalid_argument for three channels or more that have other names: they may be anything
 Image colourChannels(const Image& image, const std::vector<std::string>& names);
+
+/// The colours of a picture, one channel or three, in the file's own primaries. \throws FileError as readImage, and
+/// for pictures without
+Image readColours(const std::string& path, ImageMetadata& metadata);
 
 } // namespace vitrine

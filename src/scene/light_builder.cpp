@@ -1,4 +1,5 @@
 #include "film/imageio.h"
+#include "film/primaries.h"
 #include "lights/constant_infinite_light.h"
 #include "lights/distant_light.h"
 #include "lights/image_infinite_light.h"
@@ -70,8 +71,11 @@ LightPtr infinite(const LightInput& in) {
     const auto file = p.findString("filename");
     if (!file) return ConstantInfiniteLight::create({emission(in.context, p, "L"), scale, illuminance});
     if (p.has("L")) throw SceneError(p.place("L"), "an infinite light takes \"L\" or \"filename\", not both");
-    const Image image = readImage(in.context.file(p, "filename", *file));
+    ImageMetadata metadata;
+    Image image = readColours(in.context.file(p, "filename", *file), metadata);
     ImageInfiniteLight::Parameters s;
+    s.colorSpace = RgbColorSpace::withChromaticities(metadata.chromaticities);
+    if (!s.colorSpace) image = inRec709(image, metadata.chromaticities);
     // Twice as wide as high is a map of latitude and longitude; pbrt-v4's own maps are square.
     if (image.width == 2 * image.height) s.mapping = EnvironmentMapping::LatLong;
     s.scale = scale;

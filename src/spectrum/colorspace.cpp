@@ -134,6 +134,17 @@ const RgbColorSpace& RgbColorSpace::srgb() {
     return RgbColorSpaces::all().spaces[0];
 }
 
+const RgbColorSpace* RgbColorSpace::withChromaticities(std::span<const float, 8> xy) {
+    constexpr float tolerance = 1e-3f;
+    for (const RgbColorSpace& space : RgbColorSpaces::all().spaces) {
+        bool same = true;
+        for (std::size_t i = 0; i < xy.size(); ++i)
+            same &= std::abs(space.chromaticities()[i / 2][int(i % 2)] - xy[i]) < tolerance;
+        if (same) return &space;
+    }
+    return nullptr;
+}
+
 Rgb RgbColorSpace::fromXyz(const Xyz& xyz) const {
     return multiply(xyz, data_->rgbFromXyz);
 }

@@ -4,6 +4,7 @@
 #include "spectrum/spectrum.h"
 
 #include <array>
+#include <span>
 
 namespace vitrine {
 
@@ -42,6 +43,8 @@ class RgbColorSpace {
     /// "srgb", "rec2020", "aces2065-1", "dci-p3" (pbrt-v4's names, in any case); null for another.
     static const RgbColorSpace* named(std::string_view name);
     static const RgbColorSpace& srgb();
+    /// The one with these x and y of red, green, blue and white to three digits; null for others.
+    static const RgbColorSpace* withChromaticities(std::span<const float, 8> xy);
 
     Rgb fromXyz(const Xyz& xyz) const;
     Xyz toXyz(const Rgb& rgb) const;

@@ -1,3 +1,4 @@
+#include "core/errors.h"
 #include "film/imageio.h"
 #include "film/primaries.h"
 #include "support/temporary_folder.h"
@@ -60,9 +61,24 @@ TEST(Primaries, DegenerateOnesAreRefused) {
 TEST(ColourChannels, AreFoundByNameOrPlace) {
     const Image image{1, 1, 4, {1, 2, 3, 4}};
     EXPECT_EQ(colourChannels(image, {"B", "Depth.Z", "G", "R"}).pixels, (std::vector<float>{4, 3, 1}));
-    EXPECT_EQ(colourChannels(image, {"a", "b", "c", "d"}).pixels, (std::vector<float>{1, 2, 3}));
+    for (const std::vector<std::string>& others :
+         {std::vector<std::string>{"X", "Y", "Z", "A"}, {"Y", "RY", "BY", "A"}})
+        EXPECT_THROW(colourChannels(image, others), std::invalid_argument);
     EXPECT_EQ(colourChannels(image, {}).pixels, (std::vector<float>{1, 2, 3}));
     EXPECT_EQ(colourChannels(Image{1, 1, 2, {7, 8}}, {"Y", "A"}).pixels, (std::vector<float>{7}));
+}
+
+TEST(ColourChannels, PicturesOfOtherThingsAreRefusedByName) {
+    const test::TemporaryFolder folder;
+    ImageMetadata metadata;
+    metadata.channelNames = {"X", "Y", "Z"};
+    writeImage(folder.file("a.exr"), pixel(V3f(0.8f, 0.4f, 0.1f)), metadata);
+    try {
+        readColours(folder.file("a.exr"), metadata);
+        FAIL() << "no error";
+    } catch (const FileError& e) {
+        EXPECT_THAT(e.what(), testing::HasSubstr("there are no channels R, G and B, but X, Y, Z"));
+    }
 }
 
 } // namespace
