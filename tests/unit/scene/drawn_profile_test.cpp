@@ -1,5 +1,6 @@
 // Profiles out of drawings: where the axis lies, what is joined, trimmed and refused.
 #include "scene/drawn_profile.h"
+#include "shapes/revolution/revolution.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -61,6 +62,21 @@ TEST(DrawnProfile, LinesAlongTheAxisAtTheEndsAreLeftOut) {
     EXPECT_TRUE(profileOf("M0 0H1V1H0Z").isClosed());
     EXPECT_TRUE(profileOf("M1 0H2V1H1Z").isClosed());
     EXPECT_FALSE(profileOf("M1 0H2V1H1").isClosed());
+}
+
+TEST(DrawnProfile, ALineAlongTheAxisBetweenTwoSolidsIsNoSurface) {
+    const Revolution beads(Transform(), false, profileOf("M0 0H1V1H0V2H1V3H0Z"));
+    const auto hits = [&](double y, double z) {
+        return beads.allHits(Ray{V3d(-5, y, z), V3d(1, 0, 0)}, 0, 1e9).size();
+    };
+    for (const double z : {1e-9, 0.3}) {
+        EXPECT_EQ(hits(0.5, z), 2u);
+        EXPECT_EQ(hits(1.5, z), 0u);
+        EXPECT_EQ(hits(2.5, z), 2u);
+    }
+    // A ray through the axis itself may enter and leave the line, but not one without the other.
+    for (const double y : {0.5, 1.5, 2.5})
+        EXPECT_EQ(hits(y, 0) % 2, 0u);
 }
 
 TEST(DrawnProfile, WhatIsWithinAMillionthIsJoined) {
