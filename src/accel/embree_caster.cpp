@@ -292,10 +292,11 @@ bool EmbreeCaster::occluded(const Ray& ray) const {
     RTCRay shadow;
     if (!anyBounded_ || !begin(ray, query, shadow)) return false;
     shadow.mask = maskShadow;
-    // Up to where a surface that the ray ends on may be met by rounding.
-    const double end = ((ray.tMax - query.start) * query.scale - query.originSlack) * (1 - 0x1p-22);
-    if (!(end > 0)) return false;
-    shadow.tfar = end < std::numeric_limits<float>::max() ? float(end) : infinity;
+    // Near the ray's end, where it may be a lamp that is met, meshes are asked again in double.
+    const V3d o(shadow.org_x, shadow.org_y, shadow.org_z), d(shadow.dir_x, shadow.dir_y, shadow.dir_z);
+    query.end = float((ray.tMax - query.start) * query.scale);
+    query.endSlack = float(distanceSlack * (maxAbs(o) + 2 * extent_.reach) / maxAbs(d));
+    shadow.tfar = query.farEnd(ray.tMax);
     rtcOccluded1(world_->scene(), &query.context, &shadow);
     return shadow.tfar < 0;
 }

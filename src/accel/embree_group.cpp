@@ -168,7 +168,7 @@ void Group::addLargeMesh(const CasterShape& entry) {
     }
     rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, quads ? RTC_FORMAT_UINT4 : RTC_FORMAT_UINT3,
                                shape.indices(), 0, (quads ? 4 : 3) * sizeof(std::uint32_t), shape.primitiveCount());
-    attach(std::move(geometry), entry.castsShadow, Geometry{&shape, entry.id, nullptr, nullptr});
+    attachMesh(std::move(geometry), entry.castsShadow, Geometry{&shape, entry.id, nullptr, nullptr});
 }
 
 void Group::addMerged(std::unique_ptr<Merged> merged, bool castsShadow) {
@@ -182,7 +182,7 @@ void Group::addMerged(std::unique_ptr<Merged> merged, bool castsShadow) {
     rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, quads ? RTC_FORMAT_UINT4 : RTC_FORMAT_UINT3,
                                merged->indices.data(), 0, merged->perFace * sizeof(std::uint32_t),
                                merged->table.size());
-    attach(std::move(geometry), castsShadow, Geometry{nullptr, 0, &merged->table, &*merged->coincident});
+    attachMesh(std::move(geometry), castsShadow, Geometry{nullptr, 0, &merged->table, &*merged->coincident});
     merged_.push_back(std::move(merged));
 }
 
@@ -197,6 +197,29 @@ void Group::addAnalytic(std::unique_ptr<Analytic> analytic, bool castsShadow) {
     rtcSetGeometryOccludedFunction(geometry.get(), Analytic::occluded);
     attach(std::move(geometry), castsShadow, Geometry{nullptr, 0, &analytic->table, nullptr});
     analytic_.push_back(std::move(analytic));
+}
+
+namespace {
+
+/// Takes back what Embree met near a shadow ray's end if in double it does not lie before it.
+void keepOccluder(const RTCFilterFunctionNArguments* args) {
+    Query& query = *reinterpret_cast<Query*>(args->context);
+    const auto& ray32 = *reinterpret_cast<const RTCRay*>(args->ray);
+    const auto& hit = *reinterpret_cast<const RTCHit*>(args->hit);
+    const V3f n(hit.Ng_x, hit.Ng_y, hit.Ng_z), d(ray32.dir_x, ray32.dir_y, ray32.dir_z);
+    // Along a surface a distance is as wrong as across it, over the cosine.
+    if ((query.end - ray32.tfar) * std::abs(n.dot(d)) > query.endSlack * std::sqrt(n.length2() * d.length2())) return;
+    const PrimitiveRef ref = static_cast<const Group*>(args->geometryUserPtr)->find(hit.geomID, hit.primID);
+    const Ray& ray = query.rayIn(query.instanceOf(hit.instID[0]));
+    if (!ref.shape->occludes(ref.prim, ray, 0, query.ray->tMax)) args->valid[0] = 0;
+}
+
+} // namespace
+
+void Group::attachMesh(GeometryPtr geometry, bool castsShadow, Geometry record) {
+    rtcSetGeometryUserData(geometry.get(), this);
+    if (castsShadow) rtcSetGeometryOccludedFilterFunction(geometry.get(), keepOccluder);
+    attach(std::move(geometry), castsShadow, record);
 }
 
 void Group::attach(GeometryPtr geometry, bool castsShadow, Geometry record) {

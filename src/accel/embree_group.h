@@ -58,6 +58,7 @@ class Group {
     void addLargeMesh(const CasterShape& entry);
     void addMerged(std::unique_ptr<Merged> merged, bool castsShadow);
     void addAnalytic(std::unique_ptr<Analytic> analytic, bool castsShadow);
+    void attachMesh(GeometryPtr geometry, bool castsShadow, Geometry record);
     void attach(GeometryPtr geometry, bool castsShadow, Geometry record);
     V3f moved(const float* vertex) const;
 

@@ -35,6 +35,8 @@ struct Query {
     /// Embree's distance t is (s - start) * scale; both are chosen so that it neither overflows nor loses digits.
     double start = 0, scale = 1;
     double originSlack = 0; ///< bound of what rounding the origin does to t, seen along the ray
+    /// Of a shadow ray: its end in Embree's distances, and what rounding does to those of surfaces across the ray.
+    float end = infinity, endSlack = 0;
 
     float farEnd(double s) const {
         const double t = ((s - start) * scale + originSlack) * (1 + distanceSlack);

@@ -100,7 +100,9 @@ SampledSpectrum shadowTransmittance(const World& world, const Vertex& vertex, co
     const V3d start = offsetOrigin(vertex.point(), wi);
     // A finite shadow ray ends where the light sampler said, wherever it starts.
     Ray shadow{start, toLight.d, toLight.tMax};
-    if (std::isfinite(shadow.tMax)) shadow.d += vertex.point().p - start;
+    const bool ends = std::isfinite(shadow.tMax);
+    const V3d target = vertex.point().p + toLight.d;
+    if (ends) shadow.d = target - start;
     if (!world.hasNestedDielectrics && !world.hasAbsorption)
         return SampledSpectrum(world.caster->occluded(shadow) ? 0.f : 1.f);
 
@@ -108,17 +110,16 @@ SampledSpectrum shadowTransmittance(const World& world, const Vertex& vertex, co
     const float incoming = wi.dot(vertex.point().ng);
     const Interior* own = vertex.surface->interior();
     if (own && incoming * vertex.wo.dot(vertex.point().ng) < 0) solids.cross(*own, incoming < 0);
-    const double length = shadow.d.length();
     if (!world.hasNestedDielectrics) {
         if (world.caster->occluded(shadow)) return SampledSpectrum(0.f);
-        return transmittance(solids.current(), shadow.tMax * length, lambda);
+        return transmittance(solids.current(), shadow.tMax * shadow.d.length(), lambda);
     }
 
     SampledSpectrum result(1.f);
     for (int i = 0; i < maxPasses; ++i) {
         CasterHit hit;
         const bool met = world.caster->intersect(shadow, hit);
-        result *= transmittance(solids.current(), (met ? hit.s : shadow.tMax) * length, lambda);
+        result *= transmittance(solids.current(), (met ? hit.s : shadow.tMax) * shadow.d.length(), lambda);
         if (!met) return result;
         const Surface& surface = world.surfaces[hit.id];
         const Interior* solid = surface.interior();
@@ -127,7 +128,12 @@ SampledSpectrum shadowTransmittance(const World& world, const Vertex& vertex, co
         if (!surface.isInterface() && !overruled) break;
         if (solid) solids.cross(*solid, entering);
         shadow.o = offsetOrigin(hit.point, wi);
-        shadow.tMax -= hit.s;
+        if (!ends) continue;
+        const V3d o = shadow.o;
+        shadow = shadowTo(target, o);
+        shadow.o = o;
+        // What was met may lie next to the target, and the offset have led past it.
+        if (shadow.d.dot(toLight.d) <= 0) return result;
     }
     return SampledSpectrum(0.f);
 }

@@ -69,6 +69,11 @@ class MeshShape : public Shape {
     const std::uint32_t* indices() const final { return indices_.data(); }
 
     double area() const final { return areas().total; }
+    using Shape::pdf;
+    /// 1/area but for the rounding of the probabilities with which primitives are drawn.
+    float pdf(const PrimitiveHit& hit) const override {
+        return float(drawProbability(hit.prim) / primitiveArea(hit.prim));
+    }
     bool isClosed() const final;
     std::size_t memoryBytes() const override;
 

@@ -204,7 +204,7 @@ std::optional<ShapeSample> QuadMesh::sample(const V2f& u) const {
         hit.u = inFirst ? b1 : 1 - b1;
         hit.v = inFirst ? b2 : 1 - b2;
     }
-    return ShapeSample{pointAt(Ray{}, hit), float(1 / area())};
+    return ShapeSample{pointAt(Ray{}, hit), pdf(hit)};
 }
 
 std::optional<SphericalRectangle> QuadMesh::seenRectangle(const V3d& from) const {

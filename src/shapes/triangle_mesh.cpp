@@ -133,7 +133,7 @@ std::optional<ShapeSample> TriangleMesh::sample(const V2f& u) const {
     hit.prim = prim;
     hit.u = b.y;
     hit.v = 1 - double(b.x) - double(b.y);
-    return ShapeSample{pointAt(Ray{}, hit), float(1 / area())};
+    return ShapeSample{pointAt(Ray{}, hit), pdf(hit)};
 }
 
 std::size_t TriangleMesh::memoryBytes() const {

@@ -83,7 +83,7 @@ TEST(AreaLight, SampleAgreesWithTheHitOfItsRay) {
             ++samples;
             EXPECT_NEAR(sample->wi.length(), 1, 1e-6);
             // It ends off the surface on p's side; so far the directions are apart.
-            const V3d end = p + sample->shadow.d;
+            const V3d end = p + sample->shadow.d * sample->shadow.tMax;
             EXPECT_GT(shape->isClosed() ? end.length() - 1 : end.z, 1e-16);
             EXPECT_LT((sample->shadow.d.normalized() - toDouble(sample->wi)).length(), 1e-5);
             const Ray ray{p, sample->shadow.d, infinityD};
