@@ -52,8 +52,14 @@ class Caster {
     virtual std::size_t memoryBytes() const = 0;
 };
 
+/// The quickest one for what there is. \throws as makeEmbreeCaster
+std::unique_ptr<Caster> makeCaster(CasterInput input);
 /// \throws std::bad_alloc, std::runtime_error (Embree's own message)
 std::unique_ptr<Caster> makeEmbreeCaster(CasterInput input);
+/// Up to so many primitives a list of boxes is quicker than a tree (docs/benchmarks.md).
+inline constexpr unsigned maxFlatPrimitives = 16;
+/// For that many primitives without instances. \throws std::invalid_argument for more
+std::unique_ptr<Caster> makeFlatCaster(const CasterInput& input);
 /// Every primitive tried in turn by Shape::intersect: the slow oracle.
 std::unique_ptr<Caster> makeBruteForceCaster(CasterInput input);
 

@@ -41,7 +41,7 @@ class WorldBuilder {
         // A scene that is wrong is never rendered: no need to build the tree.
         if (context_.diagnostics().hasErrors()) return {};
         const bool unbounded = hasUnbounded();
-        world_.caster = makeEmbreeCaster(std::move(input_));
+        world_.caster = makeCaster(std::move(input_));
         placeLights(unbounded);
         return std::move(world_);
     }

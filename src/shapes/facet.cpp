@@ -4,6 +4,14 @@
 
 namespace vitrine {
 
+Parallelogram::Parallelogram(const V3d& corner, const V3d& eu, const V3d& ev) : p0(corner) {
+    const V3d n = eu.cross(ev);
+    // Scaled as intersectTriangle does, so that ties between coplanar faces are ties.
+    normal = n / maxAbs(n);
+    toU = ev.cross(n) / n.length2();
+    toV = n.cross(eu) / n.length2();
+}
+
 bool intersectTriangle(const V3d& p0, const V3d& p1, const V3d& p2, const Ray& ray, double sMin, double sMax,
                        PrimitiveHit& hit) {
     const V3d a = p0 - ray.o, b = p1 - ray.o, c = p2 - ray.o;

@@ -12,6 +12,28 @@ struct Facet {
     float error = 0; ///< the part of SurfacePoint::error that belongs to the primitive
 };
 
+/// A parallelogram, solved from its plane.
+struct Parallelogram {
+    /// What lies this much inside or outside, in units of u and v, surely does: rounding is less, even for a ray from a
+    /// hundred million widths away. Whether a ray nearer to an edge passes is for intersectTriangle to say.
+    static constexpr double edge = 1e-6;
+
+    V3d p0{0, 0, 0}, normal{0, 0, 0}; ///< a corner; the normal, of any length
+    V3d toU{0, 0, 0}, toV{0, 0, 0};   ///< what u and v of a point q are the products of q - p0 with
+
+    Parallelogram() = default;
+    /// \param eu,ev the edges at p0, not parallel
+    Parallelogram(const V3d& p0, const V3d& eu, const V3d& ev);
+
+    /// Where the ray's line crosses the plane.
+    PrimitiveHit cross(const Ray& ray, unsigned prim) const {
+        const V3d toCorner = p0 - ray.o;
+        const double s = normal.dot(toCorner) / normal.dot(ray.d);
+        const V3d q = ray.d * s - toCorner;
+        return {s, q.dot(toU), q.dot(toV), prim};
+    }
+};
+
 /// A number of facets up to which a mesh keeps them ready.
 inline constexpr unsigned maxReadyFacets = 4096;
 

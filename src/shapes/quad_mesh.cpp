@@ -46,12 +46,13 @@ QuadMesh::QuadMesh(std::shared_ptr<const MeshVertices> vertices, std::vector<std
     facets_.reserve(primitiveCount());
     for (unsigned prim = 0; prim < primitiveCount(); ++prim)
         facets_.push_back(facet(prim));
-    if (primitiveCount() != 1 || !facets_[0].parallelogram || !mesh().n.empty()) return;
+    if (primitiveCount() != 1 || !facets_[0].isParallelogram || !mesh().n.empty()) return;
     const auto [p] = corners(0);
     const V3d ex = p[1] - p[0], ey = p[3] - p[0];
     if (!(std::abs(ex.dot(ey)) <= rectangleTolerance * ex.length() * ey.length())) return;
     center_ = (p[0] + p[2]) / 2;
     nearDistance2_ = sqr(nearDiagonals) * (p[2] - p[0]).length2();
+    rectanglePdf_ = 1 / area();
 }
 
 QuadMesh::Corners QuadMesh::corners(unsigned prim) const {
@@ -63,32 +64,36 @@ QuadMesh::QuadFacet QuadMesh::facet(unsigned prim) const {
     const Corners c = corners(prim);
     const auto& p = c.p;
     QuadFacet result;
-    result.ng = toFloat(quadNormal(p).normalized());
-    double error = 0;
+    SurfacePoint& common = result.common;
+    common.ng = toFloat(quadNormal(p).normalized());
+    if (mesh().flips) common.ng = -common.ng;
+    common.ns = common.ng;
+    common.dpdu = common.dpdv = common.dndu = common.dndv = V3f(0, 0, 0);
     for (int i = 0; i < 4; i += 2)
         if (const V3d& a = p[i], &b = p[i + 1], &d = p[(i + 3) % 4]; (b - a).cross(d - a).length2() > 0)
-            error = std::max(error, triangleError(a, b, d));
-    result.error = float(error);
+            common.error = std::max(common.error, triangleError(a, b, d));
     const double size = std::max((p[2] - p[0]).length(), (p[3] - p[1]).length());
-    result.parallelogram = (p[1] - p[0] + p[3] - p[2]).length() <= 0x1p-22 * size;
-    if (result.parallelogram) {
-        SurfacePoint point;
-        addTexture(face(prim), V2d(0.5, 0.5), c, point);
-        result.dpdu = point.dpdu;
-        result.dpdv = point.dpdv;
-        const V3d eu = p[1] - p[0], ev = p[3] - p[0], normal = eu.cross(ev);
-        result.p0 = p[0];
-        result.eu = eu;
-        result.ev = ev;
-        // Scaled as intersectTriangle does, so that ties between coplanar faces are ties.
-        result.normal = normal / maxAbs(normal);
-        result.toU = ev.cross(normal) / normal.length2();
-        result.toV = normal.cross(eu) / normal.length2();
+    result.isParallelogram = (p[1] - p[0] + p[3] - p[2]).length() <= 0x1p-22 * size;
+    if (result.isParallelogram) {
+        addTexture(face(prim), V2d(0.5, 0.5), c, common);
+        result.eu = p[1] - p[0];
+        result.ev = p[3] - p[0];
+        result.plane = Parallelogram(p[0], result.eu, result.ev);
     }
     return result;
 }
 
 bool QuadMesh::intersect(unsigned prim, const Ray& ray, double sMin, double sMax, PrimitiveHit& hit) const {
+    if (isReadyParallelogram(prim)) {
+        hit = facets_[prim].plane.cross(ray, prim);
+        if (!(hit.s > sMin && hit.s < sMax)) return false;
+        const double within = std::min(std::min(hit.u, 1 - hit.u), std::min(hit.v, 1 - hit.v));
+        if (std::abs(within) > Parallelogram::edge) return within > 0;
+    }
+    return intersectTriangles(prim, ray, sMin, sMax, hit);
+}
+
+bool QuadMesh::intersectTriangles(unsigned prim, const Ray& ray, double sMin, double sMax, PrimitiveHit& hit) const {
     const auto [p] = corners(prim);
     PrimitiveHit second;
     const bool inFirst = intersectTriangle(p[0], p[1], p[3], ray, sMin, sMax, hit);
@@ -103,14 +108,10 @@ bool QuadMesh::intersect(unsigned prim, const Ray& ray, double sMin, double sMax
 }
 
 bool QuadMesh::solve(unsigned prim, const Ray& ray, PrimitiveHit& hit) const {
-    if (facets_.empty() || !facets_[prim].parallelogram) return MeshShape::solve(prim, ray, hit);
-    const QuadFacet& facet = facets_[prim];
-    const V3d toCorner = facet.p0 - ray.o;
-    hit.s = facet.normal.dot(toCorner) / facet.normal.dot(ray.d);
-    const V3d q = ray.d * hit.s - toCorner;
-    hit.u = std::clamp(q.dot(facet.toU), 0., 1.);
-    hit.v = std::clamp(q.dot(facet.toV), 0., 1.);
-    hit.prim = prim;
+    if (!isReadyParallelogram(prim)) return MeshShape::solve(prim, ray, hit);
+    hit = facets_[prim].plane.cross(ray, prim);
+    hit.u = std::clamp(hit.u, 0., 1.);
+    hit.v = std::clamp(hit.v, 0., 1.);
     return hit.s > 0 && hit.s < infinityD;
 }
 
@@ -134,38 +135,29 @@ void QuadMesh::addTexture(const std::uint32_t* v, const V2d& at, const Corners& 
 }
 
 bool QuadMesh::isPlainParallelogram(unsigned prim) const {
-    return !facets_.empty() && facets_[prim].parallelogram && mesh().uv.empty() && mesh().n.empty();
-}
-
-SurfacePoint QuadMesh::plainPointAt(const PrimitiveHit& hit) const {
-    const QuadFacet& facet = facets_[hit.prim];
-    SurfacePoint point;
-    point.p = facet.p0 + facet.eu * hit.u + facet.ev * hit.v;
-    point.error = originError(point.p) + facet.error;
-    point.ng = mesh().flips ? -facet.ng : facet.ng;
-    point.ns = point.ng;
-    point.uv = V2f(float(hit.u), float(hit.v));
-    point.dpdu = facet.dpdu;
-    point.dpdv = facet.dpdv;
-    point.dndu = point.dndv = V3f(0, 0, 0);
-    return point;
+    return isReadyParallelogram(prim) && mesh().uv.empty() && mesh().n.empty();
 }
 
 SurfacePoint QuadMesh::pointAt(const Ray&, const PrimitiveHit& hit) const {
+    SurfacePoint point;
+    if (isPlainParallelogram(hit.prim)) {
+        facets_[hit.prim].fill(hit.u, hit.v, point);
+        return point;
+    }
     const std::uint32_t* v = face(hit.prim);
-    if (isPlainParallelogram(hit.prim)) return plainPointAt(hit);
     const Corners c = corners(hit.prim);
     const auto& p = c.p;
     const QuadFacet facet = facets_.empty() ? this->facet(hit.prim) : facets_[hit.prim];
-    SurfacePoint point;
-    point.p = hit.u + hit.v <= 1 ? p[0] + (p[1] - p[0]) * hit.u + (p[3] - p[0]) * hit.v
-                                 : p[2] + (p[3] - p[2]) * (1 - hit.u) + (p[1] - p[2]) * (1 - hit.v);
-    point.error = originError(point.p) + facet.error;
-    point.ng = mesh().flips ? -facet.ng : facet.ng;
-    point.ns = point.ng;
-    point.dndu = point.dndv = V3f(0, 0, 0);
+    point = facet.common;
+    // In the plane that rays are solved with.
+    if (isReadyParallelogram(hit.prim))
+        point.p = p[0] + facet.eu * hit.u + facet.ev * hit.v;
+    else
+        point.p = hit.u + hit.v <= 1 ? p[0] + (p[1] - p[0]) * hit.u + (p[3] - p[0]) * hit.v
+                                     : p[2] + (p[3] - p[2]) * (1 - hit.u) + (p[1] - p[2]) * (1 - hit.v);
+    point.error += originError(point.p);
     V2d at(hit.u, hit.v);
-    if (!facet.parallelogram) at = patchParameters(c, point.p);
+    if (!facet.isParallelogram) at = patchParameters(c, point.p);
     addTexture(v, at, c, point);
     if (!mesh().n.empty()) {
         const auto& n = mesh().n;
@@ -189,7 +181,7 @@ std::optional<ShapeSample> QuadMesh::sample(const V2f& u) const {
     hit.prim = drawPrimitive(within);
     const auto [p] = corners(hit.prim);
     const bool ready = !facets_.empty();
-    if (ready ? facets_[hit.prim].parallelogram : facet(hit.prim).parallelogram) {
+    if (ready ? facets_[hit.prim].isParallelogram : facet(hit.prim).isParallelogram) {
         hit.u = within.x;
         hit.v = within.y;
     } else {
@@ -220,25 +212,19 @@ std::optional<ShapeSample> QuadMesh::sample(const V3d& from, const V2f& u) const
     if (!(nearDistance2_ > 0)) return Shape::sample(from, u);
     const std::optional<SphericalRectangle> seen = seenRectangle(from);
     const V2d at = seen ? seen->sample(u) : V2d(u.x, u.y);
-    const QuadFacet& facet = facets_[0];
     // Built in place: this is called for every shadow ray.
     std::optional<ShapeSample> result(std::in_place);
-    SurfacePoint& point = result->point;
-    point.p = facet.p0 + facet.eu * at.x + facet.ev * at.y;
-    point.error = originError(point.p) + facet.error;
-    point.ng = mesh().flips ? -facet.ng : facet.ng;
-    point.ns = point.ng;
-    point.uv = V2f(float(at.x), float(at.y));
-    point.dpdu = facet.dpdu;
-    point.dpdv = facet.dpdv;
-    point.dndu = point.dndv = V3f(0, 0, 0);
+    const SurfacePoint& point = result->point;
+    facets_[0].fill(at.x, at.y, result->point);
     if (seen) {
         result->pdf = float(1 / seen->solidAngle());
         return result;
     }
     const V3d d = point.p - from;
-    const double distance2 = d.length2(), cosine = std::abs(d.dot(toDouble(point.ng))) / std::sqrt(distance2);
-    result->pdf = areaToSolidAngle(1 / area(), distance2, cosine);
+    const double distance2 = d.length2();
+    // The cosine is d.ng over the distance.
+    result->pdf =
+        areaToSolidAngle(rectanglePdf_, distance2 * std::sqrt(distance2), std::abs(d.dot(toDouble(point.ng))));
     if (!(result->pdf > 0) || !std::isfinite(result->pdf)) result.reset();
     return result;
 }

@@ -35,15 +35,27 @@ class QuadMesh final : public MeshShape {
     struct Corners {
         V3d p[4];
     };
-    /// A facet and whether the quad is a parallelogram, on which Embree's (u,v) are the patch's.
-    struct QuadFacet : Facet {
-        bool parallelogram = false;
-        // Of a parallelogram: p0 and its edges, its normal, of any length, and what u and v are the products of q - p0 with.
-        V3d p0{0, 0, 0}, eu{0, 0, 0}, ev{0, 0, 0}, normal{0, 0, 0}, toU{0, 0, 0}, toV{0, 0, 0};
+    /// What there is to know of a quad before a ray comes.
+    struct QuadFacet {
+        /// What its points have in common: the normals, the part of the error that is the quad's own, and of a
+        /// parallelogram without texture coordinates the derivatives.
+        SurfacePoint common;
+        bool isParallelogram = false; ///< then Embree's (u,v) are the patch's
+        Parallelogram plane;
+        V3d eu{0, 0, 0}, ev{0, 0, 0}; ///< the edges at plane.p0
+
+        /// Of a parallelogram without texture coordinates and shading normals.
+        void fill(double u, double v, SurfacePoint& point) const {
+            point = common;
+            point.p = plane.p0 + eu * u + ev * v;
+            point.error += originError(point.p);
+            point.uv = V2f(float(u), float(v));
+        }
     };
+    bool intersectTriangles(unsigned prim, const Ray& ray, double sMin, double sMax, PrimitiveHit& hit) const;
+    bool isReadyParallelogram(unsigned prim) const { return !facets_.empty() && facets_[prim].isParallelogram; }
     /// The common case: a ready facet without texture coordinates or shading normals of its own.
     bool isPlainParallelogram(unsigned prim) const;
-    SurfacePoint plainPointAt(const PrimitiveHit& hit) const;
     Corners corners(unsigned prim) const;
     QuadFacet facet(unsigned prim) const;
     /// The patch's (u,v) of a point of the quad.
@@ -55,7 +67,7 @@ class QuadMesh final : public MeshShape {
     std::vector<QuadFacet> facets_; ///< of small meshes; large ones make them anew at each hit
     // Of a mesh that is one rectangle without shading normals; else the distance is zero.
     V3d center_{0, 0, 0};
-    double nearDistance2_ = 0;
+    double nearDistance2_ = 0, rectanglePdf_ = 0;
 };
 
 /// Whether four corners, in order around the quad, lie in a plane as far as rounding them to float allows, and span a

@@ -1,4 +1,4 @@
-// Embree's caster against the brute-force one, over rays of every kind.
+// A caster against the brute-force one, over rays of every kind.
 #pragma once
 
 #include "accel/caster.h"
@@ -74,7 +74,7 @@ struct Allowance {
     /// parallelogram's own plane is then not quite that of its two triangles.
     double distance = 2e-7;
     /// Share of rays (but those in a face's plane) that may differ because they pass an edge or a start by less than single-precision rounding.
-    /// Each such ray must be explained: a ray moved by less than that gets Embree's answer from the oracle.
+    /// Each such ray must be explained: a ray moved by less than that gets the caster's answer from the oracle.
     double nearEdges = 1e-3;
 };
 
@@ -113,16 +113,16 @@ inline bool isTrueCrossing(const Caster& oracle, const Ray& ray, bool found, con
            std::abs(truth.s + before - hit.s) <= 1e-6 * hit.s;
 }
 
-inline void expectCastersAgree(const CasterInput& input, const Box3d& aim, std::uint64_t seed, int rays,
-                               const Allowance& allowance) {
-    const auto embree = makeEmbreeCaster(input), oracle = makeBruteForceCaster(input);
+inline void expectAgreement(const Caster& caster, const CasterInput& input, const Box3d& aim, std::uint64_t seed,
+                            int rays, const Allowance& allowance) {
+    const auto oracle = makeBruteForceCaster(input);
     RandomStream random(seed);
     int hits = 0, differing = 0, unexplained = 0;
     for (int i = 0; i < rays; ++i) {
         bool inFace;
         const Ray ray = anyRay(random, aim, inFace);
         CasterHit hit, truth;
-        const bool found = embree->intersect(ray, hit), trueFound = oracle->intersect(ray, truth);
+        const bool found = caster.intersect(ray, hit), trueFound = oracle->intersect(ray, truth);
         hits += trueFound;
         bool differs = false, explained = true;
         if (!sameHit(ray, aim, found, hit, trueFound, truth, allowance.distance)) {
@@ -134,7 +134,7 @@ inline void expectCastersAgree(const CasterInput& input, const Box3d& aim, std::
                                                        return sameHit(moved, aim, found, hit, any, other, 1e-4);
                                                    }));
         }
-        const bool shadow = embree->occluded(ray);
+        const bool shadow = caster.occluded(ray);
         if (shadow != oracle->occluded(ray)) {
             differs = true;
             explained = explained && allowance.distance > 0 &&
@@ -144,7 +144,7 @@ inline void expectCastersAgree(const CasterInput& input, const Box3d& aim, std::
         differing += differs && !inFace;
         unexplained += !explained;
         if (!explained && unexplained <= 3)
-            ADD_FAILURE() << "ray " << i << " o " << ray.o << " d " << ray.d << " tMax " << ray.tMax << ": Embree "
+            ADD_FAILURE() << "ray " << i << " o " << ray.o << " d " << ray.d << " tMax " << ray.tMax << ": the caster "
                           << (found ? hit.s : -1) << " of " << hit.id << " shadow " << shadow << ", oracle "
                           << (trueFound ? truth.s : -1) << " of " << truth.id;
     }
@@ -153,11 +153,16 @@ inline void expectCastersAgree(const CasterInput& input, const Box3d& aim, std::
     EXPECT_GT(hits, rays / 20) << "the rays say little about the scene";
     for (const Ray& ray : impossibleRays()) {
         CasterHit hit;
-        EXPECT_FALSE(embree->intersect(ray, hit));
+        EXPECT_FALSE(caster.intersect(ray, hit));
         EXPECT_FALSE(oracle->intersect(ray, hit));
-        EXPECT_FALSE(embree->occluded(ray));
+        EXPECT_FALSE(caster.occluded(ray));
         EXPECT_FALSE(oracle->occluded(ray));
     }
+}
+
+inline void expectCastersAgree(const CasterInput& input, const Box3d& aim, std::uint64_t seed, int rays,
+                               const Allowance& allowance) {
+    expectAgreement(*makeEmbreeCaster(input), input, aim, seed, rays, allowance);
 }
 
 } // namespace vitrine::test

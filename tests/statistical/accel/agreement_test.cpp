@@ -133,4 +133,72 @@ TEST(Agreement, LargeMeshFarFromTheOrigin) {
     expectCastersAgree(input, boundsOf(input), 10, million / 50, {});
 }
 
+/// The flat caster asks the very same solvers, so it is exact whatever the shapes are.
+class FlatAgreement : public testing::TestWithParam<std::pair<const char*, CasterInput (*)()>> {};
+
+TEST_P(FlatAgreement, OfEveryRay) {
+    const CasterInput input = GetParam().second();
+    Box3d aim = boundsOf(input);
+    if (aim.isEmpty()) aim = Box3d(V3d(-2), V3d(2));
+    expectAgreement(*makeFlatCaster(input), input, aim, 12, million / 5, exact);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, FlatAgreement,
+    testing::Values(
+        std::pair(
+            "Spheres",
+            +[] {
+                return of({std::make_shared<Sphere>(placed(V3d(0.1, 0, 0), V3d(1, 2, 1), 1), false, 1, -0.6, 0.9, 300),
+                           std::make_shared<Sphere>(placed(V3d(1, 1, 0), V3d(1), 0), false, 0.5, -0.5, 0.5, 360),
+                           std::make_shared<Sphere>(placed(V3d(1, 0, 1), V3d(1), 0), false, 1, -1, 1, 360)});
+            }),
+        std::pair(
+            "CylindersAndDisks",
+            +[] {
+                return of({std::make_shared<Cylinder>(placed(V3d(0, 1, 0), V3d(1, 2, 1), 1), false, 1, -0.6, 0.9, 300),
+                           std::make_shared<Disk>(placed(V3d(0, 0, 0.2), V3d(1), 2), false, 0.5, 1, 0.3, 300),
+                           std::make_shared<Disk>(Transform(), false, 0, 2, 0, 360)});
+            }),
+        std::pair(
+            "BoxesAndPlanes",
+            +[] {
+                return of({std::make_shared<Box>(placed(V3d(0, 1, 0), V3d(1), 1), false, V3d(-1), V3d(1)),
+                           std::make_shared<Plane>(placed(V3d(0, -1, 0), V3d(1), 1), false, V3d(0, 1, 0), -1),
+                           std::make_shared<Box>(Transform(), false, V3d(-1, -2, 0), V3d(1, 0, 0.5))});
+            }),
+        std::pair(
+            "OnlyPlanes",
+            +[] {
+                return of({std::make_shared<Plane>(Transform(), false, V3d(0, 1, 0), -1),
+                           std::make_shared<Plane>(placed(V3d(0, 2, 0), V3d(1), 1), false, V3d(0, 1, 0), -1)});
+            }),
+        std::pair(
+            "Goblet",
+            +[] {
+                const auto points = joined(gobletProfile());
+                return of(
+                    {std::make_shared<Revolution>(placed(V3d(0.2, 0, 0), V3d(1), 0.3), false,
+                                                  Profile(points, int(gobletProfile().front().size()) - 1), 360)});
+            }),
+        std::pair(
+            "Triangles", +[] { return of({onlyShape(soup(6, 16, 3))}); }),
+        std::pair(
+            "BentPatches", +[] { return of({onlyShape(soup(8, 12, 4))}); }),
+        std::pair(
+            "PlanarQuads",
+            +[] {
+                return of({onlyShape(cubeMesh()),
+                           onlyShape(cubeMesh(), placed(V3d(0.3, 0, 0.7), V3d(0.4, 0.5, 0.6), 1)),
+                           onlyShape(patch(V3d(-2, -1.5, -2), V3d(2, -1.5, -2), V3d(-1, -1.5, 1), V3d(1.5, -1.5, 2)))});
+            }),
+        std::pair(
+            "FarFromTheOrigin",
+            +[] {
+                const V3d far(1e5, -2e4, 0.5);
+                return of({onlyShape(cubeMesh(far, 2)),
+                           std::make_shared<Sphere>(placed(far + V3d(1.5, 0, 0), V3d(0.3), 0), false, 1, -1, 1, 360)});
+            })),
+    [](const auto& which) { return which.param.first; });
+
 } // namespace vitrine::test

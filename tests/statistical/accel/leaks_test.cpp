@@ -52,17 +52,20 @@ Leaks countLeaks(const Caster& caster, const Shape& shape, std::uint64_t seed, i
 
 class ClosedMesh : public testing::TestWithParam<double> {
   protected:
-    static std::unique_ptr<Caster> casterOf(const ShapePtr& shape) {
+    static CasterInput only(const ShapePtr& shape) {
         CasterInput input;
         input.shapes = {{shape, 0, true}};
-        return makeEmbreeCaster(input);
+        return input;
     }
     static void expectTight(const MeshInput& mesh, std::uint64_t seed) {
         const ShapePtr shape = onlyShape(mesh);
         EXPECT_TRUE(shape->isClosed());
-        const auto caster = casterOf(shape);
+        expectTight(*makeEmbreeCaster(only(shape)), *shape, seed);
+        if (shape->primitiveCount() <= maxFlatPrimitives) expectTight(*makeFlatCaster(only(shape)), *shape, seed);
+    }
+    static void expectTight(const Caster& caster, const Shape& shape, std::uint64_t seed) {
         for (const Aim aim : {Aim::Anywhere, Aim::Edges, Aim::Vertices}) {
-            const Leaks leaks = countLeaks(*caster, *shape, seed, 200'000, aim);
+            const Leaks leaks = countLeaks(caster, shape, seed, 200'000, aim);
             SCOPED_TRACE(testing::Message() << "aim " << int(aim) << " of " << leaks.rays);
             EXPECT_GT(leaks.rays, 90'000);
             EXPECT_EQ(leaks.selfHits, 0);
@@ -104,7 +107,7 @@ TEST_P(ClosedMesh, BentPatchesDoNotMeetThemselves) {
         // Far away rounding may flatten the small ones: the bent ones come last.
         const ShapePtr shape = makeMeshShapes(mesh, {}, false).back();
         ASSERT_EQ(shape->kind(), GeometryKind::User);
-        const auto caster = casterOf(shape);
+        const auto caster = makeEmbreeCaster(only(shape));
         RandomStream random(seed);
         int own = 0, rays = 0;
         for (int i = 0; i < 100'000; ++i) {

@@ -31,7 +31,7 @@ Transform translation(const V3d& t) {
 
 const Ray down{V3d(0.1, 0.2, 10), V3d(0, 0, -1)};
 
-class BothCasters : public testing::TestWithParam<MakeCaster> {
+class EveryCaster : public testing::TestWithParam<MakeCaster> {
   protected:
     static std::unique_ptr<Caster> make(CasterInput input) { return GetParam()(std::move(input)); }
     static CasterHit hitOf(const Caster& caster, const Ray& ray) {
@@ -43,7 +43,7 @@ class BothCasters : public testing::TestWithParam<MakeCaster> {
 
 } // namespace
 
-TEST_P(BothCasters, NothingIsMetInAnEmptyWorld) {
+TEST_P(EveryCaster, NothingIsMetInAnEmptyWorld) {
     const auto caster = make({});
     CasterHit hit;
     EXPECT_FALSE(caster->intersect(down, hit));
@@ -51,7 +51,7 @@ TEST_P(BothCasters, NothingIsMetInAnEmptyWorld) {
     EXPECT_TRUE(caster->bounds().isEmpty());
 }
 
-TEST_P(BothCasters, ClosestOfMeshSphereAndPlane) {
+TEST_P(EveryCaster, ClosestOfMeshSphereAndPlane) {
     CasterInput input;
     input.shapes = {{sheet(1), 7, true},
                     {sphereAt(V3d(0, 0, 0), 0.5), 8, true},
@@ -70,7 +70,7 @@ TEST_P(BothCasters, ClosestOfMeshSphereAndPlane) {
     EXPECT_EQ(caster->bounds().min.z, -0.5);
 }
 
-TEST_P(BothCasters, SegmentsEndBeforeTheirEnd) {
+TEST_P(EveryCaster, SegmentsEndBeforeTheirEnd) {
     CasterInput input;
     input.shapes = {{sheet(1), 0, true}, {sphereAt(V3d(0, 0, -3), 1), 1, true}};
     const auto caster = make(input);
@@ -93,7 +93,7 @@ TEST_P(BothCasters, SegmentsEndBeforeTheirEnd) {
     EXPECT_TRUE(caster->intersect(ray, hit));
 }
 
-TEST_P(BothCasters, SurfacesWithoutShadowAreSeenAllTheSame) {
+TEST_P(EveryCaster, SurfacesWithoutShadowAreSeenAllTheSame) {
     CasterInput input;
     input.shapes = {{sheet(1), 0, false},
                     {sphereAt(V3d(0, 0, 3), 1), 1, false},
@@ -115,7 +115,7 @@ TEST_P(BothCasters, SurfacesWithoutShadowAreSeenAllTheSame) {
     EXPECT_TRUE(make(input)->occluded(down));
 }
 
-TEST_P(BothCasters, TiesOfAnalyticShapesGoToTheLowerNumber) {
+TEST_P(EveryCaster, TiesOfAnalyticShapesGoToTheLowerNumber) {
     // The same sphere many times over, out of order, and once more in an instance.
     CasterInput input;
     for (const std::uint32_t id : {5u, 3u, 9u, 4u})
@@ -134,7 +134,7 @@ TEST_P(BothCasters, TiesOfAnalyticShapesGoToTheLowerNumber) {
     EXPECT_EQ(hitOf(*make(input), Ray{V3d(0, 0, 10), V3d(0, 0, -1)}).id, 1u);
 }
 
-TEST_P(BothCasters, TiesBetweenMeshAndAnalyticShapeGoToTheLowerNumber) {
+TEST_P(EveryCaster, TiesBetweenMeshAndAnalyticShapeGoToTheLowerNumber) {
     for (const bool meshFirst : {false, true}) {
         CasterInput input;
         input.shapes = {{sheet(1), meshFirst ? 1u : 2u, true},
@@ -149,7 +149,7 @@ TEST_P(BothCasters, TiesBetweenMeshAndAnalyticShapeGoToTheLowerNumber) {
     }
 }
 
-TEST_P(BothCasters, TiesBetweenSmallMeshesGoToTheLowerNumber) {
+TEST_P(EveryCaster, TiesBetweenSmallMeshesGoToTheLowerNumber) {
     // Faces in the plane z = 1 of several shapes: quads, triangles, of different size, some seen from below.
     MeshInput triangle;
     triangle.p = {V3f(-3, -1, 1), V3f(3, -1, 1), V3f(0, 4, 1)};
@@ -170,7 +170,7 @@ TEST_P(BothCasters, TiesBetweenSmallMeshesGoToTheLowerNumber) {
     }
 }
 
-TEST_P(BothCasters, TiesBetweenEqualMeshesGoToTheLowerNumber) {
+TEST_P(EveryCaster, TiesBetweenEqualMeshesGoToTheLowerNumber) {
     M44d m;
     m.setAxisAngle(V3d(1, 2, 3).normalized(), 1.);
     CasterInput input;
@@ -184,7 +184,7 @@ TEST_P(BothCasters, TiesBetweenEqualMeshesGoToTheLowerNumber) {
             2u);
 }
 
-TEST_P(BothCasters, InstancesCarryPointsAndNormals) {
+TEST_P(EveryCaster, InstancesCarryPointsAndNormals) {
     CasterInput input;
     input.groups = {{{sphereAt(V3d(1, 0, 0), 0.5), 0, true}, {sheet(-1), 1, true}}};
     M44d mirrored;
@@ -211,7 +211,7 @@ TEST_P(BothCasters, InstancesCarryPointsAndNormals) {
     EXPECT_LT(maxAbs(caster->bounds().min - V3d(-3, -2, -2)), 1e-6);
 }
 
-TEST_P(BothCasters, OriginsFarAway) {
+TEST_P(EveryCaster, OriginsFarAway) {
     CasterInput input;
     input.shapes = {{sheet(1), 0, true}, {sphereAt(V3d(0, 0, 3), 0.25), 1, true}};
     const auto caster = make(input);
@@ -229,7 +229,7 @@ TEST_P(BothCasters, OriginsFarAway) {
     }
 }
 
-TEST_P(BothCasters, ShapesOfAnySize) {
+TEST_P(EveryCaster, ShapesOfAnySize) {
     // Embree's floats end at 1.8e18; shapes beyond are no less there.
     for (const double size : {1e-20, 1e-6, 1., 1e10, 1e17, 1e19, 1e30, 1e100}) {
         CasterInput input;
@@ -248,8 +248,40 @@ TEST_P(BothCasters, ShapesOfAnySize) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, BothCasters, testing::Values(&makeEmbreeCaster, &makeBruteForceCaster),
-                         [](const auto& which) { return which.index == 0 ? "Embree" : "BruteForce"; });
+const char* const kinds[] = {"Embree", "BruteForce", "Quickest"};
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryCaster, testing::Values(&makeEmbreeCaster, &makeBruteForceCaster, &makeCaster),
+                         [](const auto& which) { return kinds[which.index]; });
+
+TEST(FlatCaster, RefusesWhatIsTooMuch) {
+    CasterInput input;
+    for (std::uint32_t id = 0; id < maxFlatPrimitives; ++id)
+        input.shapes.push_back({sphereAt(V3d(3. * id, 0, 0), 1), id, true});
+    EXPECT_NO_THROW(makeFlatCaster(input));
+    input.shapes.push_back({sphereAt(V3d(0, 3, 0), 1), maxFlatPrimitives, true});
+    EXPECT_THROW(makeFlatCaster(input), std::invalid_argument);
+    input.shapes.resize(1);
+    input.groups = {{{sheet(0), 1, true}}};
+    input.instances = {{0, Transform()}};
+    EXPECT_THROW(makeFlatCaster(input), std::invalid_argument);
+}
+
+TEST(FlatCaster, TakesEveryLane) {
+    // Each of the most spheres there may be, alone in the way of its own ray.
+    for (std::uint32_t count = 1; count <= maxFlatPrimitives; ++count) {
+        CasterInput input;
+        for (std::uint32_t id = 0; id < count; ++id)
+            input.shapes.push_back({sphereAt(V3d(3. * id, 0, 0), 1), id, id % 2 == 0});
+        const auto caster = makeFlatCaster(input);
+        for (std::uint32_t id = 0; id < count; ++id) {
+            CasterHit hit;
+            const Ray ray{V3d(3. * id + 0.1, 0.2, 10), V3d(0, 0, -1)};
+            ASSERT_TRUE(caster->intersect(ray, hit)) << id;
+            EXPECT_EQ(hit.id, id);
+            EXPECT_EQ(caster->occluded(ray), id % 2 == 0) << id;
+            EXPECT_FALSE(caster->intersect(Ray{ray.o + V3d(1.4, 0, 0), ray.d}, hit)) << id;
+        }
+    }
+}
 
 TEST(EmbreeCaster, CountsItsMemory) {
     CasterInput input;

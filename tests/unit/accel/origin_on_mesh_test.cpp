@@ -15,7 +15,7 @@ namespace {
 enum class Faces { Triangles, Quads, Both };
 
 /// A floor with a corner in the origin, and one that lies `gap` behind it.
-std::unique_ptr<Caster> floors(Faces faces, float gap) {
+CasterInput floors(Faces faces, float gap) {
     CasterInput input;
     for (const float z : {0.f, gap}) {
         MeshInput mesh;
@@ -25,13 +25,18 @@ std::unique_ptr<Caster> floors(Faces faces, float gap) {
         for (const auto& shape : makeMeshShapes(std::move(mesh), Transform(), false))
             input.shapes.push_back({shape, std::uint32_t(input.shapes.size()), true});
     }
-    return makeEmbreeCaster(std::move(input));
+    return input;
 }
+/// Embree, and without a tree.
+constexpr auto casters = {&makeEmbreeCaster, &makeCaster};
 constexpr Faces allFaces[] = {Faces::Triangles, Faces::Quads, Faces::Both};
 
-TEST(OriginOnMesh, TheCrossingAtTheOriginIsNone) {
+class OriginOnMesh : public testing::TestWithParam<std::unique_ptr<Caster> (*)(CasterInput)> {};
+class FarOrigin : public OriginOnMesh {};
+
+TEST_P(OriginOnMesh, TheCrossingAtTheOriginIsNone) {
     for (const Faces faces : allFaces) {
-        const auto caster = floors(faces, 2);
+        const auto caster = GetParam()(floors(faces, 2));
         for (const V3d& o : {V3d(0, 0, 0), V3d(.25, .5, 0), V3d(0, .5, 0), V3d(.5, .5, 0)})
             for (const V3d& d : {V3d(.1, .05, .9), V3d(0, 0, 1), V3d(1e-30, 1e-30, 1), V3d(.2, 0, 1)}) {
                 CasterHit hit;
@@ -43,7 +48,7 @@ TEST(OriginOnMesh, TheCrossingAtTheOriginIsNone) {
     }
 }
 
-TEST(OriginOnMesh, TheSearchEnds) {
+TEST_P(OriginOnMesh, TheSearchEnds) {
     // Whatever is found at such tiny distances, it is found soon; also where denormal numbers count as 0, as Embree wishes
     // and as TBB hands on from Embree's threads.
     const unsigned settings = _mm_getcsr();
@@ -51,7 +56,7 @@ TEST(OriginOnMesh, TheSearchEnds) {
     _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
     for (const Faces faces : allFaces)
         for (const float gap : {1e-45f, 1e-40f, 1e-38f, 1e-30f, 1e-10f, 1.f}) {
-            const auto caster = floors(faces, gap);
+            const auto caster = GetParam()(floors(faces, gap));
             RandomStream random(1, int(faces));
             for (int i = 0; i < 1000; ++i) {
                 const V3d d = toDouble(sampleUniformSphere(V2f(random.uniform(), random.uniform())));
@@ -66,8 +71,8 @@ TEST(OriginOnMesh, TheSearchEnds) {
     _mm_setcsr(settings);
 }
 
-TEST(FarOrigin, AnyDistanceIsTaken) {
-    const auto caster = floors(Faces::Quads, 1);
+TEST_P(FarOrigin, AnyDistanceIsTaken) {
+    const auto caster = GetParam()(floors(Faces::Quads, 1));
     for (const double distance : {1e3, 1e10, 1e17, 1e30, 3e38, 1e300}) {
         // Along an axis nothing is rounded; aslant the ray may miss, but nothing else may happen.
         CasterHit hit;
@@ -79,6 +84,10 @@ TEST(FarOrigin, AnyDistanceIsTaken) {
         caster->occluded(Ray{o, V3d(-.3, .2, -.9000001), infinityD});
     }
 }
+
+const auto nameOf = [](const auto& which) { return which.index == 0 ? "Embree" : "Flat"; };
+INSTANTIATE_TEST_SUITE_P(Casters, OriginOnMesh, testing::ValuesIn(casters), nameOf);
+INSTANTIATE_TEST_SUITE_P(Casters, FarOrigin, testing::ValuesIn(casters), nameOf);
 
 } // namespace
 } // namespace vitrine
