@@ -1,10 +1,13 @@
 # One set of flags for every target.
 #
+# -fno-tree-slp-vectorize: GCC packs the coordinates of 3-vectors into registers of four and unpacks them again, which
+# makes a path trace 7 % slower than leaving them alone (docs/benchmarks.md). Loops are still vectorised.
+#
 # -ffp-contract=off: whether a*b+c becomes one rounding or two must not depend on inlining, or the exact predicates of
 # the root finder and the reproducibility of pictures go. Where a fused operation is wanted, std::fma is written.
 add_library(vitrine_flags INTERFACE)
 target_compile_options(vitrine_flags INTERFACE
-  -march=${VITRINE_ARCH} -ffp-contract=off -fno-math-errno -fno-trapping-math
+  -march=${VITRINE_ARCH} -ffp-contract=off -fno-math-errno -fno-trapping-math -fno-tree-slp-vectorize
   -Wall -Wextra -Wpedantic -Wshadow=local -Wnon-virtual-dtor -Wno-psabi)
 
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")

@@ -6,6 +6,14 @@ namespace vitrine {
 
 namespace {
 
+constexpr std::uint32_t lowHalf(std::uint64_t bits) {
+    return std::uint32_t(bits);
+}
+
+constexpr std::uint32_t highHalf(std::uint64_t bits) {
+    return std::uint32_t(bits >> 32);
+}
+
 constexpr std::uint32_t reverseBits(std::uint32_t x) {
     x = __builtin_bswap32(x);
     x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
@@ -108,43 +116,47 @@ SampleStream::SampleStream(const SamplerSettings& settings, const V2i& pixel, st
     }
 }
 
+float SampleStream::stratified1D(std::uint64_t bits) const {
+    const std::uint32_t count = xStrata_ * yStrata_;
+    const std::uint32_t stratum = permuted(index_, count, lowHalf(bits));
+    return inStratum(stratum, count, jitter_ ? highHalf(randomBits(bits, index_)) : middle);
+}
+
+V2f SampleStream::stratified2D(std::uint64_t bits) const {
+    const std::uint32_t stratum = permuted(index_, xStrata_ * yStrata_, lowHalf(bits));
+    const std::uint64_t jitter = randomBits(bits, index_);
+    return V2f(inStratum(stratum % xStrata_, xStrata_, jitter_ ? lowHalf(jitter) : middle),
+               inStratum(stratum / xStrata_, yStrata_, jitter_ ? highHalf(jitter) : middle));
+}
+
 float SampleStream::get1D() {
     const std::uint64_t bits = randomBits(key_, dimension_++);
-    const auto low = std::uint32_t(bits), high = std::uint32_t(bits >> 32);
     switch (kind_) {
-    case SamplerKind::Stratified: {
-        const std::uint32_t count = xStrata_ * yStrata_;
-        const std::uint32_t stratum = permuted(index_, count, low);
-        return inStratum(stratum, count, jitter_ ? std::uint32_t(randomBits(bits, index_) >> 32) : middle);
-    }
+    case SamplerKind::Stratified:
+        return stratified1D(bits);
     case SamplerKind::Sobol:
-        return unitFloat(reverseBits(owenScrambleReversed(shuffledIndex(index_, low), high)));
+        return unitFloat(reverseBits(owenScrambleReversed(shuffledIndex(index_, lowHalf(bits)), highHalf(bits))));
     case SamplerKind::Independent:
         break;
     }
-    return unitFloat(high);
+    return unitFloat(highHalf(bits));
 }
 
 V2f SampleStream::get2D() {
     const std::uint64_t bits = randomBits(key_, dimension_++);
-    const auto low = std::uint32_t(bits), high = std::uint32_t(bits >> 32);
     switch (kind_) {
-    case SamplerKind::Stratified: {
-        const std::uint32_t stratum = permuted(index_, xStrata_ * yStrata_, low);
-        const std::uint64_t jitter = randomBits(bits, index_);
-        return V2f(inStratum(stratum % xStrata_, xStrata_, jitter_ ? std::uint32_t(jitter) : middle),
-                   inStratum(stratum / xStrata_, yStrata_, jitter_ ? std::uint32_t(jitter >> 32) : middle));
-    }
+    case SamplerKind::Stratified:
+        return stratified2D(bits);
     case SamplerKind::Sobol: {
-        const std::uint32_t index = shuffledIndex(index_, low);
-        const auto ySeed = std::uint32_t(mixBits(bits + goldenGamma) >> 32);
-        return V2f(unitFloat(reverseBits(owenScrambleReversed(index, high))),
+        const std::uint32_t index = shuffledIndex(index_, lowHalf(bits));
+        const std::uint32_t ySeed = highHalf(mixBits(bits + goldenGamma));
+        return V2f(unitFloat(reverseBits(owenScrambleReversed(index, highHalf(bits)))),
                    unitFloat(reverseBits(owenScrambleReversed(pascalMatrix(index), ySeed))));
     }
     case SamplerKind::Independent:
         break;
     }
-    return V2f(unitFloat(high), unitFloat(low));
+    return V2f(unitFloat(highHalf(bits)), unitFloat(lowHalf(bits)));
 }
 
 } // namespace vitrine

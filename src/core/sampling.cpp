@@ -39,14 +39,13 @@ float smallCos(float x) {
 
 V2f sampleUniformDisk(const V2f& u) {
     const float x = 2 * u.x - 1, y = 2 * u.y - 1;
-    if (x == 0 && y == 0) return V2f(0, 0);
-    if (std::abs(x) > std::abs(y)) {
-        const float theta = pi / 4 * (y / x);
-        return V2f(x * smallCos(theta), x * smallSin(theta));
-    }
-    // The angle is pi/2 less this one.
-    const float theta = pi / 4 * (x / y);
-    return V2f(y * smallSin(theta), y * smallCos(theta));
+    // The same in all four triangles of the square, but for the axis that the angle is counted from: chosen without a
+    // branch, which would be mispredicted every second time.
+    const bool aboutX = std::abs(x) > std::abs(y);
+    const float radius = aboutX ? x : y, across = aboutX ? y : x;
+    const float theta = pi / 4 * (radius != 0 ? across / radius : 0);
+    const float c = radius * smallCos(theta), s = radius * smallSin(theta);
+    return V2f(aboutX ? c : s, aboutX ? s : c);
 }
 
 PiecewiseConstant1D::PiecewiseConstant1D(std::span<const float> weights) : weights_(weights.begin(), weights.end()) {
