@@ -22,6 +22,16 @@ int inSector(const Ray& ray, double s, double phiMaxDegrees, double band) {
 
 namespace {
 
+struct Nearest {
+    long double distance, l;
+};
+
+/// A piece of the profile that is within the band of one half of the ray.
+struct Stretch {
+    long double ua, ub;
+    bool forward;
+};
+
 struct Place {
     bool ours;
     long double u;
@@ -51,17 +61,18 @@ class Scene {
     }
 
     /// From the half of the ray's hyperbola, by Gauss and Newton from the points level with it and above it.
-    long double distance(long double u, bool forward) const {
+    Nearest nearest(long double u, bool forward) const {
         const SlowCurve::Sample c = at(u);
         const long double side = forward ? 1 : -1, wide = ray_.width(c.x);
-        long double best = std::numeric_limits<long double>::infinity();
+        Nearest best{std::numeric_limits<long double>::infinity(), 0};
         // g = q + h l is what parts the halves; a vertical ray has one half, g = q.
         const auto descend = [&](long double l) {
             for (int i = 0; i < 6; ++i) {
                 if (!isVertical() && side * (ray_.q + ray_.h * l) < 0) l = -ray_.q / ray_.h;
                 const long double g = ray_.q + ray_.h * l, r = std::sqrt(ray_.e * ray_.e + g * g);
                 const long double ex = c.x - r, ey = c.y - ray_.oy - ray_.v * l;
-                best = std::min(best, std::sqrt(ex * ex + ey * ey));
+                const long double distance = std::sqrt(ex * ex + ey * ey);
+                if (distance < best.distance) best = {distance, l};
                 const long double tx = r > 0 ? ray_.h * g / r : side * ray_.h, slope2 = tx * tx + ray_.v * ray_.v;
                 if (!(slope2 > 0)) break;
                 const long double step = (ex * tx + ey * ray_.v) / slope2;
@@ -73,6 +84,7 @@ class Scene {
         if (ray_.h > 0) descend((side * wide - ray_.q) / ray_.h);
         return best;
     }
+    long double distance(long double u, bool forward) const { return nearest(u, forward).distance; }
     /// Distance with the sign of the side: above or below this half of the hyperbola.
     long double gap(long double u, bool forward) const {
         const SlowCurve::Sample c = at(u);
@@ -124,27 +136,42 @@ class Scene {
     bool meetAcrossLoop(const Place& first, const Place& last) const {
         return isCloseAlong(0, first.u, first.forward) && isCloseAlong(last.u, end(), last.forward);
     }
-    /// Whether the gap turns between the places or beyond them while still in the band.
-    bool turns(long double ua, long double ub, bool forward) const {
+    /// Lengthened at both ends while still in the band.
+    Stretch lengthened(Stretch s) const {
         for (const int side : {-1, 1}) {
-            long double& u = side < 0 ? ua : ub;
+            long double& u = side < 0 ? s.ua : s.ub;
             for (long double step = 0x1p-2L; step > 0x1p-56L;) {
                 const long double next = std::clamp(u + side * step, 0.L, end());
-                if (next != u && isCloseAlong(u, next, forward, 8))
+                if (next != u && isCloseAlong(u, next, s.forward, 8))
                     u = next;
                 else
                     step /= 2;
             }
         }
+        return s;
+    }
+    /// Whether the gap turns along the stretch.
+    bool turns(const Stretch& s) const {
         constexpr int steps = 128;
         bool rises = false, falls = false;
-        long double gapBefore = gap(ua, forward);
+        long double before = gap(s.ua, s.forward);
         for (int i = 1; i <= steps && !(rises && falls); ++i) {
-            const long double u = ua + (ub - ua) * i / steps, gapHere = gap(u, forward), change = gapHere - gapBefore;
-            (change > 0 ? rises : falls) = true;
-            gapBefore = gapHere;
+            const long double here = gap(s.ua + (s.ub - s.ua) * i / steps, s.forward);
+            (here > before ? rises : falls) = true;
+            before = here;
         }
         return rises && falls;
+    }
+
+    /// Adds in which sectors the ray is beside the stretch.
+    void sectorsAlong(const Stretch& s, const Ray& ray, double phiMax, bool& inside, bool& outside) const {
+        constexpr int steps = 32;
+        for (int i = 0; i <= steps; ++i) {
+            const Nearest here = nearest(s.ua + (s.ub - s.ua) * i / steps, s.forward);
+            const int sector = inSector(ray, double(here.l / ray_.length), phiMax, double(band_));
+            inside = inside || sector >= 0;
+            outside = outside || sector <= 0;
+        }
     }
 
   private:
@@ -188,25 +215,43 @@ Parts connect(const Scene& scene, const std::vector<Place>& places) {
     return parts;
 }
 
-bool isAtRim(const Scene& scene, const std::vector<Place>& part) {
-    bool inside = false, outside = false, atEnd = false;
+bool touchesTip(const Scene& scene, const std::vector<Place>& part) {
+    return std::any_of(part.begin(), part.end(), [&](const Place& p) { return scene.meetAtTip(p, p); });
+}
+
+/// What the part covers of the profile, by halves of the ray; of both halves when they meet in it.
+std::vector<Stretch> stretchesOf(const Scene& scene, const std::vector<Place>& part) {
+    const bool tip = touchesTip(scene, part);
+    std::vector<Stretch> result;
+    for (const bool forward : {false, true}) {
+        long double ua = std::numeric_limits<long double>::infinity(), ub = -ua;
+        for (const Place& place : part)
+            if (place.forward == forward || tip) ua = std::min(ua, place.u), ub = std::max(ub, place.u);
+        if (ua <= ub) result.push_back(scene.lengthened({ua, ub, forward}));
+    }
+    return result;
+}
+
+bool isAtRim(const Scene& scene, const std::vector<Place>& part, const Ray& ray, double phiMax) {
+    for (const Place& place : part)
+        if (scene.reachesRim(place)) return true;
+    if (phiMax >= 360) return false;
+    bool inside = false, outside = false;
     for (const Place& place : part) {
         inside = inside || place.sector >= 0;
         outside = outside || place.sector <= 0;
-        atEnd = atEnd || scene.reachesRim(place);
     }
-    return atEnd || (inside && outside);
+    for (const Stretch& stretch : stretchesOf(scene, part))
+        scene.sectorsAlong(stretch, ray, phiMax, inside, outside);
+    return inside && outside;
 }
 
 bool turnsBack(const Scene& scene, const std::vector<Place>& part) {
     for (const Place& place : part)
-        if (scene.isGrazing(place) || scene.meetAtTip(place, place)) return true;
-    for (const bool forward : {false, true}) {
-        long double ua = std::numeric_limits<long double>::infinity(), ub = -ua;
-        for (const Place& place : part)
-            if (place.forward == forward) ua = std::min(ua, place.u), ub = std::max(ub, place.u);
-        if (ua <= ub && scene.turns(ua, ub, forward)) return true;
-    }
+        if (scene.isGrazing(place)) return true;
+    if (touchesTip(scene, part)) return true;
+    for (const Stretch& stretch : stretchesOf(scene, part))
+        if (scene.turns(stretch)) return true;
     return false;
 }
 
@@ -233,7 +278,7 @@ Judgement judge(const ProfilePoints& profile, double phiMaxDegrees, const Ray& r
         for (const Place& place : members)
             if (place.ours || place.sector >= 0) surplus += place.ours ? 1 : -1;
         if (surplus == 0) continue;
-        if (isAtRim(scene, members) || (surplus % 2 == 0 && turnsBack(scene, members)))
+        if (isAtRim(scene, members, ray, phiMaxDegrees) || (surplus % 2 == 0 && turnsBack(scene, members)))
             result.excused = true;
         else
             (surplus > 0 ? result.spurious : result.missed) += std::abs(surplus);

@@ -159,38 +159,55 @@ Coefficients ExactOracle::heightPolynomial(const Segment& segment, double height
     return c;
 }
 
-void ExactOracle::isolate(Coefficients c, long double ta, long double width, std::vector<long double>& roots) {
+/// |(d_x, d_z)|^2 (y - o_y) + d_y (o_x d_x + o_z d_z).
+Coefficients ExactOracle::risePolynomial(const Segment& segment, const Ray& ray) {
+    int bits = segment.fractionBits;
+    for (int i = 0; i < 3; ++i)
+        bits = std::max({bits, fractionBits(ray.o[i]), fractionBits(ray.d[i])});
+    Integer o[3], d[3];
+    for (int i = 0; i < 3; ++i) {
+        o[i] = fixedPoint(ray.o[i], bits);
+        d[i] = fixedPoint(ray.d[i], bits);
+    }
+    const Integer h2 = d[0] * d[0] + d[2] * d[2], constant = d[1] * (o[0] * d[0] + o[2] * d[2]) - h2 * o[1];
+    Coefficients c;
+    for (const Integer& y : segment.y)
+        c.push_back(h2 * (y << (bits - segment.fractionBits)) + constant);
+    return c;
+}
+
+void ExactOracle::isolate(Coefficients c, Coefficients side, long double ta, long double width,
+                          std::vector<Root>& roots) {
     const int count = variations(c);
     if (count == 0) return;
-    if (count == 1) {
-        roots.push_back(ta + width * onlyRoot(c));
+    const bool sideIsKnown = side.empty() || variations(side) == 0;
+    if ((count == 1 && sideIsKnown) || width < 0x1p-100L) {
+        if (count % 2 == 1)
+            roots.push_back({ta + width * (count == 1 ? onlyRoot(c) : 0.5L), !side.empty() && side[0] < 0});
         return;
     }
-    if (width < 0x1p-60L) {
-        if (count % 2 == 1) roots.push_back(ta + width / 2);
-        return;
-    }
-    Coefficients left = halve(c);
-    isolate(std::move(left), ta, width / 2, roots);
-    isolate(std::move(c), ta + width / 2, width / 2, roots);
+    Coefficients left = halve(c), leftSide = side.empty() ? side : halve(side);
+    isolate(std::move(left), std::move(leftSide), ta, width / 2, roots);
+    isolate(std::move(c), std::move(side), ta + width / 2, width / 2, roots);
 }
 
 std::vector<OracleHit> ExactOracle::hits(const Ray& ray) const {
     const HalfPlaneRay half(ray);
+    const bool horizontal = ray.d.y == 0, shallow = !horizontal && std::fabs(half.v) < 1e-3L;
     std::vector<OracleHit> hits;
-    std::vector<long double> roots;
+    std::vector<Root> roots;
     for (std::size_t i = 0; i < segments_.size(); ++i) {
         const Segment& segment = segments_[i];
         roots.clear();
-        const bool horizontal = ray.d.y == 0;
-        isolate(horizontal ? heightPolynomial(segment, ray.o.y) : rayPolynomial(segment, ray), 0, 1, roots);
-        for (const long double t : roots) {
+        isolate(horizontal ? heightPolynomial(segment, ray.o.y) : rayPolynomial(segment, ray),
+                shallow ? risePolynomial(segment, ray) : Coefficients{}, 0, 1, roots);
+        for (const auto& [t, riseIsNegative] : roots) {
             const SlowCurve::Sample c = segment.curve.at(t);
             const auto add = [&](bool forward) {
                 hits.push_back({double(half.lengthAt(c.x, c.y, forward) / half.length), int(i), double(t), forward});
             };
             if (!horizontal) {
-                add((half.rise(c.y) < 0) == (half.v < 0));
+                add((shallow ? riseIsNegative : half.rise(c.y) < 0) == (half.v < 0));
             } else if (c.x > half.e) {
                 add(false);
                 add(true);

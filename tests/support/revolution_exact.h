@@ -12,9 +12,10 @@ namespace vitrine::test {
 /// changes sign. Doubles are integers times a power of two, so that F's Bernstein coefficients are integers, and so are
 /// those of its halves, their halves, and so on (Vincent's theorem: Descartes' count of sign variations becomes 0 or 1).
 /// Nothing is rounded until every change of sign in (0,1) is alone in its interval; then its place is found in long
-/// double from that interval's own coefficients.
+/// double from that interval's own coefficients. On which half of the ray's hyperbola it lies, the sign of
+/// P(t) = |(d_x, d_z)|^2 (y(t) - o_y) + d_y (o_x d_x + o_z d_z) says, for shallow rays in integers too.
 ///
-/// Zero counts as positive, as if the ray were moved aside by an infinitesimal. Roots that 2^-60 of a segment does not
+/// Zero counts as positive, as if the ray were moved aside by an infinitesimal. Roots that 2^-100 of a segment does not
 /// part are one place, a crossing if their number is odd. Horizontal rays: the same with y(t) - o_y for F.
 class ExactOracle {
   public:
@@ -34,7 +35,12 @@ class ExactOracle {
     };
     static Coefficients rayPolynomial(const Segment& segment, const Ray& ray);
     static Coefficients heightPolynomial(const Segment& segment, double height);
-    static void isolate(Coefficients c, long double ta, long double width, std::vector<long double>& roots);
+    static Coefficients risePolynomial(const Segment& segment, const Ray& ray);
+    struct Root {
+        long double t;
+        bool sideIsNegative; ///< sign of the polynomial `side` at the root
+    };
+    static void isolate(Coefficients c, Coefficients side, long double ta, long double width, std::vector<Root>& roots);
 
     std::vector<Segment> segments_;
 };

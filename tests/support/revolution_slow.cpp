@@ -66,6 +66,7 @@ void signChanges(const std::vector<long double>& c, long double a, long double b
         return;
     }
     signChanges(c, a, m, found);
+    if (restricted(c, m, m)[0] == 0) found.push_back(m); // neither half would see it
     signChanges(c, m, b, found);
 }
 

@@ -41,22 +41,22 @@ void expectClean(const CampaignTally& t) {
 TEST(RevolutionRoots, RandomPairsAgreeWithExactIntegers) {
     const Campaign campaign(OracleKind::Exact, 20190612, 20, fail);
     CampaignTally tally;
-    for (int i = 0; i < 100 * repeats(); ++i)
+    for (int i = 0; i < 200 * repeats(); ++i)
         tally.add(campaign.runBlock(std::uint64_t(i)));
     expectClean(tally);
 }
 
 TEST(RevolutionRoots, RandomPairsAgreeWithASlowSolverInLongDouble) {
-    const Campaign campaign(OracleKind::Slow, 20190611, 300, fail);
+    const Campaign campaign(OracleKind::Slow, 20190611, 200, fail);
     CampaignTally tally;
-    for (int i = 0; i < 200 * repeats(); ++i)
+    for (int i = 0; i < 150 * repeats(); ++i)
         tally.add(campaign.runBlock(std::uint64_t(i)));
     expectClean(tally);
 }
 
 TEST(RevolutionRoots, RaysEnterAndLeaveTheGoblet) {
     ParityTally tally;
-    for (int i = 0; i < 20 * repeats(); ++i)
+    for (int i = 0; i < 10 * repeats(); ++i)
         tally.add(runParityBlock(20190613, std::uint64_t(i), 10000, fail));
     EXPECT_EQ(tally.odd, 0);
     EXPECT_EQ(tally.wrongWalk, 0);
