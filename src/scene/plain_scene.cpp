@@ -115,9 +115,9 @@ class Translator {
         ShapeNode result = node;
         if (options_.onlyRevolutions && node.type != "revolution") return result;
         if (node.type == "plane") {
-            diagnostics_.warning(node.place,
-                                 "pbrt-v4 has no infinite plane: written as a disk of 10000 times the scene's radius",
-                                 "its (u, v) are those of a disk");
+            diagnostics_.warning(
+                node.place, "pbrt-v4 has no infinite plane: written as a disk of 10000 times the scene's radius",
+                "its (u, v) are those of a disk, and photons of a sky or distant light will miss the scene");
             return planeAsDisk(node, seen);
         }
         const bool isOurs = node.type == "revolution" || node.type == "box";
