@@ -24,7 +24,7 @@ TEST_F(Info, AsText) {
     const ProgramResult result = run({"info", "scene.pbrt"});
     EXPECT_EQ(result.exitCode, 0);
     EXPECT_EQ(result.err, "");
-    const std::string memory = "memory      0.0 MB ray casting, 0.0 MB film\n";
+    const std::string memory = "memory      0.0 MB ray casting, 0.1 MB film\n";
     EXPECT_EQ(result.out, "scene       scene.pbrt\n"
                           "shapes      2 disk, 1 sphere, 1 trianglemesh (5 primitives)\n"
                           "instances   1\n"
