@@ -1,5 +1,6 @@
 #include "integrators/photon_mapping.h"
 
+#include "core/random.h"
 #include "integrators/tiles.h"
 #include "paths/pass_wavelengths.h"
 #include "photons/naive_lookup.h"
@@ -134,7 +135,7 @@ void PhotonMappingIntegrator::traceEyePaths(const World& world, std::uint64_t pa
             }
 }
 
-void PhotonMappingIntegrator::gather(Gathering& g, const PhotonLookup& lookup, std::uint64_t pass,
+void PhotonMappingIntegrator::gather(const World& world, Gathering& g, const PhotonLookup& lookup, std::uint64_t pass,
                                      RenderCounters& counters) {
     const float shared = sharedRadiusFactor(pass, settings_.alpha);
     std::size_t at = 0;
@@ -146,15 +147,18 @@ void PhotonMappingIntegrator::gather(Gathering& g, const PhotonLookup& lookup, s
         }
     }
     lookup.find(g.disks, g.near);
+    const Gatherer gatherer{settings_.kernel, photonsPerPass_, settings_.maxDepth};
     at = 0;
     for (EyeSample& eye : g.samples) {
         std::uint32_t found = 0;
+        RandomStream random(sampler_.seed, 0x676174686572ull, pass, eye.pathIndex);
         for (; at < eye.pointsEnd; ++at) {
             const auto near = g.near.of(at);
+            const float u = random.uniform();
             found += std::uint32_t(near.size());
-            if (near.empty()) continue;
-            eye.light += gatheredLight(g.points[at], lookup.photons(), near, g.disks[at].radius, settings_.kernel,
-                                       photonsPerPass_, settings_.maxDepth);
+            if (!near.empty())
+                eye.light +=
+                    gatherer.light(world, eyePaths_->space(), g.points[at], g.disks[at], lookup.photons(), near, u);
         }
         if (settings_.rule == RadiusRule::PerPoint) radii_[eye.pathIndex].found(found, settings_.alpha);
     }
@@ -187,7 +191,7 @@ void PhotonMappingIntegrator::addPass(const World& world, std::uint64_t pass, Fi
         // The tree holds the points of the whole picture, which stay from pass to pass.
         Gathering whole;
         traceEyePaths(world, pass, lambda, film, settings.cropMin, settings.cropMax, whole);
-        gather(whole, *lookup, pass, counters);
+        gather(world, whole, *lookup, pass, counters);
         addToFilm(whole, lambda, pass, film);
         counters.samples.fetch_add(std::uint64_t(settings.cropSize().x) * std::uint64_t(settings.cropSize().y));
         return;
@@ -197,7 +201,7 @@ void PhotonMappingIntegrator::addPass(const World& world, std::uint64_t pass, Fi
         Gathering& gathering = gatherings.local();
         gathering.clear();
         traceEyePaths(world, pass, lambda, film, first, last, gathering);
-        gather(gathering, *lookup, pass, counters);
+        gather(world, gathering, *lookup, pass, counters);
         addToFilm(gathering, lambda, pass, film);
         counters.samples.fetch_add(std::uint64_t((last.x - first.x) * (last.y - first.y)), std::memory_order_relaxed);
     });

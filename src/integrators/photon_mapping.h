@@ -65,7 +65,8 @@ class PhotonMappingIntegrator final : public Integrator {
     std::unique_ptr<PhotonLookup> makeLookup(std::vector<Photon> photons, float radiusFactor);
     void traceEyePaths(const World& world, std::uint64_t pass, const SampledWavelengths& lambda, const Film& film,
                        const V2i& first, const V2i& last, Gathering& gathering) const;
-    void gather(Gathering& gathering, const PhotonLookup& lookup, std::uint64_t pass, RenderCounters& counters);
+    void gather(const World& world, Gathering& gathering, const PhotonLookup& lookup, std::uint64_t pass,
+                RenderCounters& counters);
     void addToFilm(const Gathering& gathering, const SampledWavelengths& lambda, std::uint64_t pass, Film& film) const;
 
     PhotonMappingSettings settings_;

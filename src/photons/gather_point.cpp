@@ -2,24 +2,63 @@
 
 namespace vitrine {
 
-SampledSpectrum gatheredLight(const GatherPoint& point, std::span<const Photon> photons,
-                              std::span<const NearPhoton> near, float radius, Kernel kernel, std::uint64_t paths,
-                              int maxDepth) {
+namespace {
+
+/// Whether the photon sees the disk's centre along the surface, on the side that it came from.
+bool seen(const World& world, const PhotonSpace& space, const GatherDisk& disk, const Photon& photon) {
+    const V3f apart = photon.p() - disk.center;
+    const float side = photon.w().dot(disk.normal) < 0 ? -1.f : 1.f;
+    const float distance = apart.length();
+    if (!(distance > 0)) return true;
+    // Where a surface falls away by x between two points it bulges by x / 4 above the line between them.
+    constexpr float leastLift = 1 / 64.f;
+    const float lift = std::abs(apart.dot(disk.normal)) + leastLift * distance;
+    const V3d up = toDouble(disk.normal * (side * lift));
+    // The photon's end of the line lies off its own surface too, the way it came: a sheet without thickness has two sides.
+    const V3d off = up + toDouble(photon.w() * (leastLift * distance));
+    const V3d from = space.toWorld(disk.center) + up, down = space.toWorld(photon.p());
+    if (world.caster->occluded(Ray{from, down + off - from, 1})) return false;
+    // What was moved may have passed through a wall: back again, nearly to the surface.
+    return !world.caster->occluded(Ray{down + off, -off, 0.9});
+}
+
+} // namespace
+
+SampledSpectrum Gatherer::contribution(const GatherPoint& point, const V3f& wo, const Photon& photon, float distance2,
+                                       float radius2) const {
+    if (point.depth + 1 + photon.depth() > maxDepth) return SampledSpectrum(0.f);
+    const V3f w = photon.w(), wi = point.frame.toLocal(w);
+    const SampledSpectrum f = point.bsdf.f(wo, wi, TransportMode::Radiance);
+    // Photons lie as densely as the geometric cosine says; the light reflected goes by the shading cosine.
+    constexpr float grazing = 1e-2f; // bounds what a single photon can do
+    const float cosines = std::abs(wi.z) / std::max(absDot(w, point.disk.normal), grazing);
+    return f * rotated(photon.power(), point.hero) * (cosines * kernelShape(kernel, distance2, radius2));
+}
+
+SampledSpectrum Gatherer::light(const World& world, const PhotonSpace& space, const GatherPoint& point,
+                                const GatherDisk& disk, std::span<const Photon> photons,
+                                std::span<const NearPhoton> near, float u) const {
     const V3f wo = point.frame.toLocal(point.wo);
-    const V3f& ng = point.disk.normal;
-    const float radius2 = sqr(radius);
+    const float radius2 = disk.radius2();
     SampledSpectrum sum(0.f);
+    float weights = 0;
+    std::uint32_t chosen = 0;
     for (const NearPhoton& n : near) {
-        const Photon& photon = photons[n.index];
-        if (point.depth + 1 + photon.depth() > maxDepth) continue;
-        const V3f w = photon.w(), wi = point.frame.toLocal(w);
-        const SampledSpectrum f = point.bsdf.f(wo, wi, TransportMode::Radiance);
-        if (f.isBlack()) continue;
-        // Photons lie as densely as the geometric cosine says; the light reflected goes by the shading cosine.
-        constexpr float grazing = 1e-2f; // bounds what a single photon can do
-        const float cosines = std::abs(wi.z) / std::max(absDot(w, ng), grazing);
-        sum += f * rotated(photon.power(), point.hero) * (cosines * kernelShape(kernel, n.distance2, radius2));
+        const SampledSpectrum c = contribution(point, wo, photons[n.index], n.distance2, radius2);
+        const float weight = c.average();
+        if (!(weight > 0)) continue;
+        sum += c;
+        weights += weight;
+        // Reservoir of one (Chao 1982): each is kept with its share, and the number is stretched to be used again.
+        const float share = weight / weights;
+        if (u < share) {
+            chosen = n.index;
+            u /= share;
+        } else {
+            u = (u - share) / (1 - share);
+        }
     }
+    if (!(weights > 0) || !seen(world, space, disk, photons[chosen])) return SampledSpectrum(0.f);
     return sum * point.beta / (pi * radius2 * float(paths));
 }
 

@@ -3,6 +3,7 @@
 
 #include "paths/walk.h"
 #include "photons/photon_lookup.h"
+#include "photons/photon_space.h"
 
 namespace vitrine {
 
@@ -25,11 +26,24 @@ struct GatherPoint {
     int depth = 0;        ///< scattering events between it and the eye
 };
 
-/// Radiance towards the eye, times beta, hero first, from the photons in the point's disk.
-/// \param radius of the disk that was searched  \param paths of photons that were traced
-/// \param maxDepth scattering events of a whole path, eye and light part and this point
-SampledSpectrum gatheredLight(const GatherPoint& point, std::span<const Photon> photons,
-                              std::span<const NearPhoton> near, float radius, Kernel kernel, std::uint64_t paths,
-                              int maxDepth);
+/// What photons of one disk are gathered with.
+struct Gatherer {
+    Kernel kernel = Kernel::Epanechnikov;
+    std::uint64_t paths = 0; ///< of photons that were traced
+    int maxDepth = 5;        ///< scattering events of a whole path: eye part, light part and the point that gathers
+
+    /// Radiance towards the eye, times the point's beta, hero first, from the photons in its disk.
+    /// A disk may reach through a wall that stands on the surface, where photons belong to another room. One photon,
+    /// chosen by what it brings, is looked at along the surface: if anything stands between, none counts. In the mean
+    /// each counts if it is seen.
+    /// \param disk that was searched: the point's, as far as it has shrunk  \param u uniform, chooses the photon
+    SampledSpectrum light(const World& world, const PhotonSpace& space, const GatherPoint& point,
+                          const GatherDisk& disk, std::span<const Photon> photons, std::span<const NearPhoton> near,
+                          float u) const;
+
+  private:
+    SampledSpectrum contribution(const GatherPoint& point, const V3f& wo, const Photon& photon, float distance2,
+                                 float radius2) const;
+};
 
 } // namespace vitrine

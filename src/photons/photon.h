@@ -24,7 +24,7 @@ class Photon {
     int depth() const { return int(packed_ & 255); }
     SampledSpectrum power() const { return SampledSpectrum(power_); }
 
-    /// Octahedral, 12 bits a coordinate: at most 0.05 degrees off (Cigolle et al. 2014, "A Survey of Efficient
+    /// Octahedral, 12 bits a coordinate: at most 0.06 degrees off (Cigolle et al. 2014, "A Survey of Efficient
     /// Representations for Independent Unit Vectors").
     static std::uint32_t packDirection(const V3f& w);
     static V3f unpackDirection(std::uint32_t bits);
