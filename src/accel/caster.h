@@ -56,8 +56,8 @@ class Caster {
 std::unique_ptr<Caster> makeCaster(CasterInput input);
 /// \throws std::bad_alloc, std::runtime_error (Embree's own message)
 std::unique_ptr<Caster> makeEmbreeCaster(CasterInput input);
-/// Up to so many primitives a list of boxes is quicker than a tree (docs/benchmarks.md).
-inline constexpr unsigned maxFlatPrimitives = 16;
+/// Up to so many primitives, a bit each, a list of boxes is quicker than a tree (docs/benchmarks.md).
+inline constexpr unsigned maxFlatPrimitives = 32;
 /// For that many primitives without instances. \throws std::invalid_argument for more
 std::unique_ptr<Caster> makeFlatCaster(const CasterInput& input);
 /// Every primitive tried in turn by Shape::intersect: the slow oracle.

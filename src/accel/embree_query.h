@@ -55,12 +55,12 @@ struct Query {
             cachedInstance_ = instance;
             cachedRay_ = placed[instance].toInstance(*ray);
         }
-        return cachedRay_;
+        return *cachedRay_;
     }
 
   private:
     std::uint32_t cachedInstance_ = CasterHit::noInstance;
-    Ray cachedRay_;
+    std::optional<Ray> cachedRay_; ///< left alone where there are no instances
 };
 
 } // namespace vitrine::embree

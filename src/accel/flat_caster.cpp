@@ -126,7 +126,7 @@ bool FlatCaster::cross(const Ray& ray, Crossed& crossed) const {
     if (!(sumAbs(ray.o) <= farReach * reach_ && length > 0x1p-500 && length < infinityD && ray.tMax > 0)) {
         if (!canHit(ray)) return false;
         // Rounding may do anything to this one: all are tried.
-        crossed.boxes = (1u << primitives_.size()) - 1;
+        crossed.boxes = primitives_.empty() ? 0 : ~0u >> (maxFlatPrimitives - primitives_.size());
         crossed.enter.fill(Lanes{});
         return true;
     }

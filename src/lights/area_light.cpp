@@ -21,7 +21,7 @@ std::optional<LightSample> AreaLight::sample(const V3d& p, const V2f& u, const S
     const V3d toLight = onShape->point.p - p;
     const double distance = toLight.length();
     if (!(distance > 0)) return {};
-    const V3f wi = toFloat(toLight / distance);
+    const V3f wi = toFloat(toLight * (1 / distance));
     const SampledSpectrum l = emitted(onShape->point, -wi, lambda);
     if (l.isBlack()) return {};
     std::optional<LightSample> sample(std::in_place);

@@ -13,7 +13,7 @@ namespace {
 /// More shapes than the caster for a handful takes, out of everybody's way.
 std::string crowd() {
     std::string text = "AttributeBegin\nTranslate 0 -3e5 0\n";
-    for (int i = 0; i < 20; ++i)
+    for (unsigned i = 0; i <= maxFlatPrimitives; ++i)
         text += "Shape \"disk\" \"float radius\" 0.01\n";
     return text + "AttributeEnd\n";
 }
