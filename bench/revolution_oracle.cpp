@@ -21,7 +21,7 @@ using namespace vitrine::test;
 struct Options {
     long pairs = 0, parity = 0, newton = 0;
     std::string oracle = "exact", commit = "unknown";
-    std::uint64_t seed = 20260201;
+    std::uint64_t seed = 20260201, firstBlock = 0;
     int threads = 1;
 };
 
@@ -74,9 +74,9 @@ bool runPairs(const Options& options) {
     const bool exact = options.oracle == "exact";
     const int raysEach = exact ? 50 : 4000;
     const Campaign campaign(exact ? OracleKind::Exact : OracleKind::Slow, options.seed, raysEach, tell);
-    const CampaignTally t =
-        runBlocks<CampaignTally>((options.pairs + raysEach - 1) / raysEach, options,
-                                 [&](std::uint64_t block) { return campaign.runBlock(block); }, lineOf);
+    const CampaignTally t = runBlocks<CampaignTally>(
+        (options.pairs + raysEach - 1) / raysEach, options,
+        [&](std::uint64_t block) { return campaign.runBlock(options.firstBlock + block); }, lineOf);
     std::printf(
         "\n%ld profiles refused; %ld pairs looked at closely, in %ld the slow solver was wrong outside the band; "
         "%ld first-hit and any-hit calls\n",
@@ -152,6 +152,7 @@ int main(int argc, char** argv) {
     app.add_option("--parity", options.parity, "rays at the closed goblet");
     app.add_option("--newton", options.newton, "rays for each degree at the 2018 Newton baseline");
     app.add_option("--seed", options.seed);
+    app.add_option("--from", options.firstBlock, "number of the first profile: to look again at one from a longer run");
     app.add_option("--threads", options.threads);
     app.add_option("--commit", options.commit, "printed in front of every line");
     CLI11_PARSE(app, argc, argv);

@@ -26,7 +26,8 @@ struct CampaignTally {
     long judged = 0;    ///< pairs whose lists were not alike at first sight
     long excused = 0;   ///< of these, pairs within the tangency band
     long overruled = 0; ///< pairs in which the slow solver, not the shape, erred outside the band
-    long missed = 0, spurious = 0, offSurface = 0;
+    long missed = 0, spurious = 0, offSurface = 0; ///< crossings
+    long wrongPairs = 0;                           ///< with one of the first two
     long intervals = 0, wrongInInterval = 0; ///< first-hit and any-hit calls that differ from the list of all hits
     long refused = 0;                        ///< random profiles that the shape refuses
     double worstPoint = 0;                   ///< backward error of pointAt(), in n eps of the profile's size
