@@ -7,8 +7,11 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <filesystem>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 namespace vitrine {
 
@@ -28,18 +31,24 @@ class OutputFile {
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
     ~OutputFile() {
-        if (descriptor_ >= 0) ::close(descriptor_);
         if (!removedName_.empty()) ::unlink(removedName_.c_str());
+        if (descriptor_ >= 0) ::close(descriptor_);
     }
 
-    /// Writes everything and closes. 0 or the errno of what went wrong.
+    /// Writes everything to the disk. 0 or the errno of what went wrong.
     int fill(std::initializer_list<std::span<const std::byte>> pieces) {
         for (const auto& piece : pieces)
             if (const int error = write(piece); error != 0) return error;
+        // Some file systems find out here that the disk is full. Devices and pipes cannot be synchronised.
+        return ::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS && errno != ENOTSUP ? errno : 0;
+    }
+    /// Renames and closes: up to then nobody else takes the file for a leftover.
+    int keepAs(const std::string& name) {
+        if (::rename(removedName_.c_str(), name.c_str()) != 0) return errno;
+        removedName_.clear();
         return close();
     }
-    void keep() { removedName_.clear(); }
-    const std::string& name() const { return removedName_; }
+    int close() { return ::close(std::exchange(descriptor_, -1)) != 0 ? errno : 0; }
 
   private:
     int write(std::span<const std::byte> bytes) {
@@ -51,25 +60,41 @@ class OutputFile {
         }
         return 0;
     }
-    int close() {
-        // Some file systems find out here that the disk is full. Devices and pipes cannot be synchronised.
-        int error = ::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS && errno != ENOTSUP ? errno : 0;
-        if (::close(descriptor_) != 0 && error == 0) error = errno;
-        descriptor_ = -1;
-        return error;
-    }
 
     int descriptor_;
     std::string removedName_;
 };
 
-/// A fresh file in the target's folder; the number gets past what a killed process left.
+/// A file that a killed process left, emptied; -1 when another process is at work on it, or it is not ours.
+int reuse(const std::string& name) {
+    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (descriptor < 0) return -1;
+    struct stat opened {
+    }, named{};
+    // Between opening and locking it may have been renamed by its writer, and would now be the finished file.
+    const bool ours = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && ::fstat(descriptor, &opened) == 0 &&
+                      ::lstat(name.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
+                      opened.st_dev == named.st_dev && S_ISREG(opened.st_mode) && opened.st_nlink == 1 &&
+                      opened.st_uid == ::geteuid() && ::ftruncate(descriptor, 0) == 0;
+    if (ours) return descriptor;
+    ::close(descriptor);
+    return -1;
+}
+
+/// A file of our own in the target's folder, locked as long as it is open. The number gets past those of other
+/// processes that write under the same name at this moment.
 OutputFile createBeside(const std::string& path, const fs::path& target) {
     for (int i = 0;; ++i) {
         std::string name = (target.parent_path() / fmt::format(".{}.{}.part", target.filename().string(), i)).string();
-        const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor < 0 && (errno != EEXIST || i == 1000)) fail(path, errno);
+        if (descriptor < 0) {
+            descriptor = reuse(name);
+        } else if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+            ::close(descriptor); // another took the new file for a leftover: so be it
+            continue;
+        }
         if (descriptor >= 0) return OutputFile(descriptor, std::move(name));
-        if (errno != EEXIST || i == 1000) fail(path, errno);
     }
 }
 
@@ -83,16 +108,17 @@ void replaceFile(const std::string& path, std::initializer_list<std::span<const 
 
     if (fs::exists(status) && !fs::is_regular_file(status)) {
         OutputFile file(::open(path.c_str(), O_WRONLY | O_CLOEXEC), {});
-        if (const int error = file.fill(pieces); error != 0) fail(path, error);
+        int error = file.fill(pieces);
+        if (error == 0) error = file.close();
+        if (error != 0) fail(path, error);
         return;
     }
 
     const fs::path target = fs::exists(status) ? fs::canonical(path) : fs::path(path);
     OutputFile file = createBeside(path, target);
     int error = file.fill(pieces);
-    if (error == 0 && ::rename(file.name().c_str(), target.c_str()) != 0) error = errno;
+    if (error == 0) error = file.keepAs(target.string());
     if (error != 0) fail(path, error);
-    file.keep();
 }
 
 } // namespace vitrine

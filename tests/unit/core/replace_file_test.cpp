@@ -6,10 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <fcntl.h>
 #include <fstream>
 #include <iterator>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace vitrine {
@@ -51,7 +54,45 @@ TEST(ReplaceFile, StaleTemporaryFilesAreNoObstacle) {
     std::ofstream(folder.file(".a.bin.0.part")) << "left by a killed process";
     replace(folder.file("a.bin"), "text");
     EXPECT_EQ(contents(folder.file("a.bin")), "text");
-    EXPECT_EQ(folder.count(), 2u);
+    EXPECT_EQ(folder.count(), 1u) << "the leftover was used";
+    // However many there are.
+    for (int i = 0; i <= 1001; ++i)
+        std::ofstream(folder.file(".a.bin." + std::to_string(i) + ".part")) << "left, and longer than the new text";
+    replace(folder.file("a.bin"), "new");
+    EXPECT_EQ(contents(folder.file("a.bin")), "new");
+}
+
+TEST(ReplaceFile, FilesThatOthersWriteAreLeftAlone) {
+    const test::TemporaryFolder folder;
+    const std::string others = folder.file(".a.bin.0.part");
+    std::ofstream(others) << "half";
+    const int descriptor = ::open(others.c_str(), O_WRONLY);
+    ASSERT_EQ(::flock(descriptor, LOCK_EX), 0) << "as a process that is at work on it";
+    replace(folder.file("a.bin"), "text");
+    EXPECT_EQ(contents(folder.file("a.bin")), "text");
+    EXPECT_EQ(contents(others), "half");
+    // Nor are links to files elsewhere emptied.
+    std::ofstream(folder.file("elsewhere")) << "precious";
+    std::filesystem::create_symlink("elsewhere", folder.file(".b.bin.0.part"));
+    std::filesystem::create_hard_link(folder.file("elsewhere"), folder.file(".b.bin.1.part"));
+    replace(folder.file("b.bin"), "text");
+    EXPECT_EQ(contents(folder.file("elsewhere")), "precious");
+    ::close(descriptor);
+}
+
+TEST(ReplaceFile, ManyWritersAtOnceNeverMixTheirTexts) {
+    const test::TemporaryFolder folder;
+    std::vector<std::thread> writers;
+    for (const char letter : {'a', 'b', 'c', 'd'})
+        writers.emplace_back([&, letter] {
+            for (int i = 0; i < 50; ++i)
+                replace(folder.file("a.bin"), std::string(5000, letter));
+        });
+    for (auto& writer : writers)
+        writer.join();
+    const std::string text = contents(folder.file("a.bin"));
+    EXPECT_EQ(text, std::string(5000, text.at(0)));
+    EXPECT_EQ(folder.count(), 1u);
 }
 
 TEST(ReplaceFile, LinksAreFollowed) {
