@@ -8,8 +8,8 @@ namespace vitrine {
 
 ConductorMaterial::ConductorMaterial(SpectrumPtr eta, SpectrumPtr k, float uroughness, float vroughness,
                                      bool remaproughness)
-    : eta_(checkedSpectrum("eta", eta ? std::move(eta) : namedSpectrum("metal-Cu-eta"))),
-      k_(checkedSpectrum("k", k ? std::move(k) : namedSpectrum("metal-Cu-k"))),
+    : eta_(checkedMetalIndex("eta", eta ? std::move(eta) : namedSpectrum("metal-Cu-eta"))),
+      k_(checkedMetalIndex("k", k ? std::move(k) : namedSpectrum("metal-Cu-k"))),
       facets_(facetsOf(uroughness, vroughness, remaproughness)) {}
 
 ConductorMaterial::ConductorMaterial(ByReflectance, SpectrumPtr reflectance, const TrowbridgeReitz& facets)

@@ -13,10 +13,14 @@ namespace vitrine {
 TrowbridgeReitz facetsOf(float uroughness, float vroughness, bool remaproughness);
 
 /// `spectrum`, or `otherwise` when it is null. `name` is the parameter's.
-/// \throws std::invalid_argument when it is negative or not finite somewhere in the visible range.
-SpectrumPtr checkedSpectrum(std::string_view name, SpectrumPtr spectrum, const SpectrumPtr& otherwise = nullptr);
+/// \throws std::invalid_argument when it is negative, not finite or above `most` somewhere in the visible range.
+SpectrumPtr checkedSpectrum(std::string_view name, SpectrumPtr spectrum, const SpectrumPtr& otherwise = nullptr,
+                            float most = infinity);
 
-/// As checkedSpectrum; an index of refraction must also be positive somewhere.
+/// As checkedSpectrum, for "eta" and "k" of a metal: what is absurdly large is refused.
+SpectrumPtr checkedMetalIndex(std::string_view name, SpectrumPtr spectrum);
+
+/// As checkedSpectrum; an index of refraction must also be positive somewhere, and there neither absurdly large nor small.
 SpectrumPtr checkedIndex(SpectrumPtr spectrum, const SpectrumPtr& otherwise);
 
 /// The index at the hero wavelength, relative to `etaOutside`. Ends the secondary wavelengths, which would be bent

@@ -14,7 +14,7 @@ std::vector<Bsdf> extremeBsdfs() {
     for (float alphaX : {0.f, 1e-4f, 1e-3f, 0.1f, 1.f})
         for (float alphaY : {0.f, 1e-4f, 1e-3f, 1.f}) {
             const TrowbridgeReitz facets(alphaX, alphaY);
-            for (float eta : {0.3f, 0.99989f, 0.9999999f, 1.f, 1.0000001f, 1.00011f, 1.5f, 4.f})
+            for (float eta : {1e-8f, 0.3f, 0.99989f, 0.9999999f, 1.f, 1.0000001f, 1.00011f, 1.5f, 4.f, 1e8f})
                 bsdfs.push_back(DielectricBsdf(eta, facets));
             for (float k : {0.f, 3.f, 200.f})
                 bsdfs.push_back(ConductorBsdf(facets, SampledSpectrum(0.1f), SampledSpectrum(k)));

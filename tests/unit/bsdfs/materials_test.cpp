@@ -170,6 +170,15 @@ TEST(Materials, RefuseNonsense) {
     throws([] { DielectricMaterial m({constant(0), nullptr, {}}); });
     throws([] { ThinDielectricMaterial m(constant(0)); });
     throws([] { ConductorMaterial::fromReflectance(nullptr); });
+    // Squares of such indices are not within a float's range: pictures were black.
+    for (float absurd : {1e30f, 1e5f, 1e-5f, 1e-30f}) {
+        throws([&] { DielectricMaterial m({constant(absurd), nullptr, {}}); });
+        throws([&] { ThinDielectricMaterial m(constant(absurd)); });
+    }
+    throws([] { ConductorMaterial m(constant(1e30f), constant(1)); });
+    throws([] { ConductorMaterial m(constant(1), constant(1e30f)); });
+    EXPECT_NO_THROW(DielectricMaterial({constant(1e4f), nullptr, {}}, 0, 0));
+    EXPECT_NO_THROW(ConductorMaterial(constant(1e-5f), constant(1e-5f)));
     try {
         DielectricMaterial m({}, 0, -2);
         FAIL();
