@@ -70,8 +70,10 @@ SampledSpectrum PathIntegrator::follow(const World& world, Walk& walk, SampleStr
         last = {vertex.point().p, scattered->pdf, scattered->specular || !settings_.nee};
         regularize |= settings_.regularize && !scattered->specular;
 
-        // As pbrt-v4: survival by the throughput as it was before refraction squeezed or spread the beam.
-        const float survival = walk.beta.max() * walk.etaScale;
+        // As pbrt-v4: survival by the throughput as it was before refraction squeezed or spread the beam, and without
+        // the weight of a hero that stands for all wavelengths.
+        const float alone = walk.lambda().secondaryTerminated() ? spectrumSamples : 1;
+        const float survival = walk.beta.max() * walk.etaScale / alone;
         if (survival < 1 && depth > settings_.rrDepth) {
             if (stream.get1D() >= survival) return result;
             walk.beta /= survival;
