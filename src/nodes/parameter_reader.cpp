@@ -215,7 +215,7 @@ ParameterType parameterType(std::string_view name, const Place& place) {
     throw SceneError(place, "unknown parameter type " + inQuotes(name), hint);
 }
 
-ParameterList readParameters(Lexer& lexer, const std::string& colorSpace) {
+ParameterList readParameters(Lexer& lexer, const std::string& colorSpace, Diagnostics& diagnostics) {
     ParameterList parameters;
     std::unordered_map<std::string_view, const Parameter*> seen;
     for (;;) {
@@ -223,10 +223,11 @@ ParameterList readParameters(Lexer& lexer, const std::string& colorSpace) {
         if (token.kind != Token::Kind::String && token.kind != Token::Kind::Broken) return parameters;
         const ParameterPtr parameter = readParameter(lexer, colorSpace);
         const auto [first, isNew] = seen.emplace(parameter->name, parameter.get());
-        if (!isNew)
-            throw SceneError(parameter->place, fmt::format("parameter {} is given twice", inQuotes(parameter->name)),
-                             fmt::format("first at {}", first->second->place.toString()));
-        parameters.push_back(parameter);
+        if (isNew)
+            parameters.push_back(parameter);
+        else
+            diagnostics.error(parameter->place, fmt::format("parameter {} is given twice", inQuotes(parameter->name)),
+                              fmt::format("first at {}", first->second->place.toString()));
     }
 }
 

@@ -6,9 +6,9 @@
 
 namespace vitrine {
 
-/// Reads `"type name" value` or `"type name" [ values ]` as long as strings follow. \throws SceneError at the first
-/// error
-ParameterList readParameters(Lexer& lexer, const std::string& colorSpace);
+/// Reads `"type name" value` or `"type name" [ values ]` as long as strings follow. Of a name that is given twice the
+/// first counts, which is an error in `diagnostics`. \throws SceneError at the first other error
+ParameterList readParameters(Lexer& lexer, const std::string& colorSpace, Diagnostics& diagnostics);
 
 /// An Untyped parameter, as if it had been declared with `type`. \throws SceneError when its text is no such value
 ParameterPtr withType(const Parameter& untyped, ParameterType type);

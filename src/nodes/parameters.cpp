@@ -294,6 +294,11 @@ bool ParameterSet::wasRead(std::string_view name) const {
     return entry && entry->read;
 }
 
+bool ParameterSet::isUnused(std::string_view name) const {
+    const Entry* entry = ownEntry(name);
+    return entry && !entry->read && !entry->mayStayUnread;
+}
+
 bool ParameterSet::remove(std::string_view name) {
     return std::erase_if(own_, [&](const Entry& entry) { return entry.parameter->name == name; }) > 0;
 }

@@ -167,6 +167,8 @@ class ParameterSet {
     /// Puts a parameter of the command line before those of the file. It may stay unread: see wasRead().
     void addOverride(ParameterPtr parameter);
     bool wasRead(std::string_view name) const;
+    /// Whether it is the file's own and nobody read it.
+    bool isUnused(std::string_view name) const;
     /// Drops an own parameter; false when there is none. (`--integrator` keeps what the new type knows.)
     bool remove(std::string_view name);
     /// The own parameters, in the order written.

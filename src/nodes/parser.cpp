@@ -18,25 +18,39 @@ std::shared_ptr<const SourceFile> sourceOf(std::string text, const std::string& 
 
 } // namespace
 
-SceneNodes parseSceneFile(const std::string& fileName) {
-    const auto file = sourceOf(readWholeFile(fileName, true), fileName == "-" ? "<stdin>" : fileName);
-    SceneReader reader(file->name, std::filesystem::path(fileName).parent_path().string());
-    reader.openFile(fileName);
-    reader.read(file);
+SceneNodes ParsedScene::checkedNodes() && {
+    if (hasErrors) throw SceneError(std::move(diagnostics));
+    return std::move(nodes);
+}
+
+ParsedScene readSceneFile(const std::string& fileName) {
+    const std::string name = fileName == "-" ? standardInputName : fileName;
+    SceneReader reader(name, std::filesystem::path(fileName).parent_path().string());
+    reader.read(sourceOf(reader.openFile(fileName), name));
     return reader.finish();
 }
 
-SceneNodes parseSceneString(std::string text, const std::string& name, const std::string& baseDirectory) {
+ParsedScene readSceneString(std::string text, const std::string& name, const std::string& baseDirectory) {
     SceneReader reader(name, baseDirectory);
     reader.read(sourceOf(std::move(text), name));
     return reader.finish();
+}
+
+SceneNodes parseSceneFile(const std::string& fileName) {
+    return readSceneFile(fileName).checkedNodes();
+}
+
+SceneNodes parseSceneString(std::string text, const std::string& name, const std::string& baseDirectory) {
+    return readSceneString(std::move(text), name, baseDirectory).checkedNodes();
 }
 
 ParameterList parseParameters(const std::string& text, const std::string& name) {
     const auto file = sourceOf(text, name);
     checkIsText(file);
     Lexer lexer(file);
-    ParameterList parameters = readParameters(lexer, "srgb");
+    Diagnostics diagnostics;
+    ParameterList parameters = readParameters(lexer, "srgb", diagnostics);
+    diagnostics.throwIfErrors();
     const Token rest = lexer.peek();
     if (rest.kind != Token::Kind::End)
         throw SceneError(lexer.place(rest), fmt::format("expected a parameter, got {}", rest.describe()));

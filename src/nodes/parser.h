@@ -5,9 +5,28 @@
 
 namespace vitrine {
 
+/// What a text gives, whether or not it is right.
+struct ParsedScene {
+    SceneNodes nodes;
+    std::vector<Diagnostic> diagnostics; ///< errors (at most Diagnostics::maxErrors) and warnings, in the order found
+    bool hasErrors = false;
+    /// Errors of these nodes are errors of the text too: nothing is lost that others depend on. True without errors.
+    bool nodesTellMore = true;
+
+    /// \throws SceneError if there is an error
+    SceneNodes checkedNodes() &&;
+};
+
+/// What a scene from standard input is called.
+inline constexpr const char* standardInputName = "<stdin>";
+
 /// Reads a scene file (".gz": compressed; "-": standard input) and what it includes.
-/// \throws FileError when the file itself cannot be read, SceneError with every error found (at most
-/// Diagnostics::maxErrors) when the scene is wrong.
+/// \throws FileError when the file itself cannot be read
+ParsedScene readSceneFile(const std::string& fileName);
+/// The same for a text, as parseSceneString().
+ParsedScene readSceneString(std::string text, const std::string& name, const std::string& baseDirectory);
+
+/// As readSceneFile(). \throws SceneError with every error found when the scene is wrong
 SceneNodes parseSceneFile(const std::string& fileName);
 
 /// The same for a text. `name` stands in messages; file names are relative to `baseDirectory` (empty: the current one).

@@ -60,6 +60,7 @@ void SceneReader::closeBlocksDownTo(std::size_t open) {
     for (std::size_t i = open; i < states_.open(); ++i) {
         if (structureUncertain_ || diagnostics_.full()) break;
         const bool object = states_.at(i).block == StateStack::Block::Object;
+        nodesTellMore_ = false;
         diagnostics_.error(states_.at(i).place,
                            object ? "this ObjectBegin has no ObjectEnd" : "this AttributeBegin has no AttributeEnd");
     }
@@ -117,7 +118,7 @@ void SceneReader::attribute() {
     if (found == targets.end())
         throw SceneError(targetPlace, "unknown attribute target " + inQuotes(target),
                          "it is \"shape\", \"light\", \"material\", \"medium\" or \"texture\"");
-    ParameterList added = readParameters(*lexer_, states_.current().colorSpace);
+    ParameterList added = readParameters(*lexer_, states_.current().colorSpace, diagnostics_);
     auto& slot = states_.edit().defaults[std::size_t(found - targets.begin())];
     auto list = std::make_shared<ParameterList>(added.rbegin(), added.rend());
     for (const auto& old : slot ? *slot : ParameterList()) {

@@ -14,7 +14,7 @@ Node SceneReader::readNode() {
     node.typePlace = lexer_->place(lexer_->peek());
     node.type = lexer_->takeString(fmt::format("the type of {}", directive_));
     const std::string& space = states_.current().colorSpace;
-    node.parameters = ParameterSet(readParameters(*lexer_, space), nullptr, space, place_);
+    node.parameters = ParameterSet(readParameters(*lexer_, space, diagnostics_), nullptr, space, place_);
     return node;
 }
 
@@ -28,8 +28,8 @@ Node SceneReader::readNode(AttributeTarget target) {
 bool SceneReader::readNamedNode(Node& node, AttributeTarget target) {
     node.place = place_;
     const auto& state = states_.current();
-    node.parameters = ParameterSet(readParameters(*lexer_, state.colorSpace), state.defaults[std::size_t(target)],
-                                   state.colorSpace, place_);
+    node.parameters = ParameterSet(readParameters(*lexer_, state.colorSpace, diagnostics_),
+                                   state.defaults[std::size_t(target)], state.colorSpace, place_);
     const auto type = node.parameters.findString("type");
     node.typePlace = node.parameters.valuePlace("type", 0);
     node.parameters.reportErrors(diagnostics_);

@@ -28,9 +28,11 @@ std::string resolveIn(const std::string& baseDirectory, const std::string& inclu
     return fs::exists(beside, error) ? beside : inBase;
 }
 
-void SceneReader::openFile(const std::string& fileName) {
+std::string SceneReader::openFile(const std::string& fileName) {
+    std::string text = readWholeFile(fileName, budget_, true);
     std::error_code error;
     openFiles_.push_back(std::filesystem::weakly_canonical(fileName, error));
+    return text;
 }
 
 std::shared_ptr<const SourceFile> SceneReader::openIncluded() {
@@ -50,7 +52,7 @@ std::shared_ptr<const SourceFile> SceneReader::openIncluded() {
     if (std::find(openFiles_.begin(), openFiles_.end(), path) != openFiles_.end())
         throw SceneError(place, fmt::format("{} includes itself", inQuotes(fileName)));
     try {
-        file->text = readWholeFile(file->name);
+        file->text = readWholeFile(file->name, budget_);
     } catch (const FileError& e) {
         throw SceneError(place, e.what());
     }

@@ -11,6 +11,20 @@
 
 namespace vitrine {
 
+namespace {
+
+/// Whether all others mean what they mean without this directive. Without a transformation, a block, the film or a file
+/// their errors may be follow-ups.
+bool standsAlone(const std::string& directive) {
+    static const std::set<std::string_view> alone = {
+        "Accelerator",       "AreaLightSource", "Camera",        "Integrator",     "LightSource",
+        "MakeNamedMaterial", "Material",        "NamedMaterial", "ObjectInstance", "Option",
+        "PixelFilter",       "Sampler",         "Shape",         "Texture"};
+    return alone.contains(directive);
+}
+
+} // namespace
+
 const std::map<std::string_view, SceneReader::Directive>& SceneReader::directives() {
     using R = SceneReader;
     static const std::map<std::string_view, Directive> table = {
@@ -91,14 +105,14 @@ void SceneReader::read(const std::shared_ptr<const SourceFile>& file) {
     if (!inWorld_ && !diagnostics_.hasErrors()) diagnostics_.error(Place{file}, "the scene ends without WorldBegin");
 }
 
-SceneNodes SceneReader::finish() {
+ParsedScene SceneReader::finish() {
     // After an error a missing definition says little: it may be what could not be read.
     if (!diagnostics_.hasErrors())
         for (const NameTable* table : {&materialNames_, &mediumNames_, &objectNames_})
             table->reportUndefined(diagnostics_);
-    diagnostics_.throwIfErrors();
-    nodes_.warnings = diagnostics_.all();
-    return std::move(nodes_);
+    for (const Diagnostic& d : diagnostics_.all())
+        if (d.severity == Diagnostic::Severity::Warning) nodes_.warnings.push_back(d);
+    return {std::move(nodes_), diagnostics_.all(), diagnostics_.hasErrors(), nodesTellMore_ && !diagnostics_.full()};
 }
 
 void SceneReader::readText(const std::shared_ptr<const SourceFile>& file) {
@@ -113,10 +127,12 @@ void SceneReader::readText(const std::shared_ptr<const SourceFile>& file) {
             runDirective(token);
         } catch (const SceneError& error) {
             fail(error);
+            nodesTellMore_ &= standsAlone(directive_);
             skipToDirective();
         } catch (const std::domain_error& error) {
             // The numbers of a transformation; place_ is its directive's, for no other files are read in between.
             fail(SceneError(place_, fmt::format("{}: {}", directive_, error.what())));
+            nodesTellMore_ = false;
         }
     }
     lexer_ = outer;

@@ -4,7 +4,8 @@
 #include "nodes/graphics_state.h"
 #include "nodes/lexer.h"
 #include "nodes/name_table.h"
-#include "nodes/nodes.h"
+#include "nodes/parser.h"
+#include "nodes/source.h"
 
 #include <filesystem>
 #include <map>
@@ -17,12 +18,12 @@ class SceneReader {
   public:
     SceneReader(std::string name, std::string baseDirectory);
 
-    /// Says which file the scene's own text is from, so that one that includes it is found out.
-    void openFile(const std::string& fileName);
+    /// The text of the scene's own file, which no other may include. \throws FileError
+    std::string openFile(const std::string& fileName);
     /// Reads the scene's own text. Errors are kept for finish().
     void read(const std::shared_ptr<const SourceFile>& file);
-    /// Checks what can be checked only at the end. \throws SceneError with all errors
-    SceneNodes finish();
+    /// Checks what can be checked only at the end.
+    ParsedScene finish();
 
   private:
     enum class Where { Anywhere, Options, World };
@@ -109,6 +110,7 @@ class SceneReader {
     std::vector<int> objects_; ///< open definitions, innermost last; more than one only after an error
 
     bool inWorld_ = false;
+    bool nodesTellMore_ = true;       ///< ParsedScene::nodesTellMore
     bool structureUncertain_ = false; ///< after an unknown directive, which may have been a block's begin or end
     bool reportedMissingWorld_ = false;
     std::set<std::string> warned_;
@@ -119,6 +121,7 @@ class SceneReader {
     std::string directive_; ///< its name
     std::vector<std::filesystem::path> openFiles_;
     std::size_t includedFiles_ = 0;
+    TextBudget budget_;
 };
 
 /// As resolveFile(), from the two directories.

@@ -21,6 +21,8 @@ class BuildContext {
     template <class Build>
     auto guarded(const Node& node, Build&& build) -> decltype(build()) {
         decltype(build()) result{};
+        // Nothing more would be shown, and half a million wrong shapes shall not each be looked at.
+        if (diagnostics_.full()) return result;
         bool finished = false;
         try {
             result = build();

@@ -11,7 +11,21 @@ namespace vitrine {
 
 namespace {
 
-std::unique_ptr<Integrator> path(const ParameterSet& p, const SamplerSettings& sampler) {
+/// The scene's sampler, and whether its seed is the command line's.
+struct Sampling {
+    SamplerSettings settings;
+    bool seedIsOverride;
+};
+
+/// Of photon integrators: with a seed of their own, if they have one. The command line's comes first.
+SamplerSettings withOwnSeed(const ParameterSet& p, const Sampling& sampling) {
+    SamplerSettings settings = sampling.settings;
+    const auto seed = p.findInteger("seed");
+    if (seed && !sampling.seedIsOverride) settings.seed = std::uint64_t(*seed);
+    return settings;
+}
+
+std::unique_ptr<Integrator> path(const ParameterSet& p, const Sampling& sampling) {
     PathSettings s;
     s.maxDepth = p.getInteger("maxdepth", s.maxDepth);
     s.rrDepth = p.getInteger("rrdepth", s.rrDepth);
@@ -20,7 +34,7 @@ std::unique_ptr<Integrator> path(const ParameterSet& p, const SamplerSettings& s
     p.getChoice("lightsampler", "power", {"uniform", "power", "bvh", "exhaustive"});
     if (s.maxDepth < 0) p.error("maxdepth", "\"maxdepth\" must not be negative");
     if (s.rrDepth < 0) p.error("rrdepth", "\"rrdepth\" must not be negative");
-    return std::make_unique<PathIntegrator>(s, sampler);
+    return std::make_unique<PathIntegrator>(s, sampling.settings);
 }
 
 std::int64_t pathsPerPass(const ParameterSet& p) {
@@ -50,21 +64,21 @@ PhotonMappingSettings photonMapping(const ParameterSet& p) {
     return s;
 }
 
-std::unique_ptr<Integrator> lightPath(const ParameterSet& p, const SamplerSettings& sampler) {
+std::unique_ptr<Integrator> lightPath(const ParameterSet& p, const Sampling& sampling) {
     LightTracingSettings s;
     s.maxDepth = p.getInteger("maxdepth", s.maxDepth);
     if (s.maxDepth < 0) p.error("maxdepth", "\"maxdepth\" must not be negative");
     s.pathsPerPass = pathsPerPass(p);
-    return std::make_unique<LightTracingIntegrator>(s, sampler);
+    return std::make_unique<LightTracingIntegrator>(s, withOwnSeed(p, sampling));
 }
 
-std::unique_ptr<Integrator> sppm(const ParameterSet& p, const SamplerSettings& sampler) {
+std::unique_ptr<Integrator> sppm(const ParameterSet& p, const Sampling& sampling) {
     PhotonMappingSettings s = photonMapping(p);
     s.search = p.getChoice("lookup", "grid", {"grid", "naive"}) == "grid" ? PhotonSearch::Grid : PhotonSearch::Naive;
-    return std::make_unique<PhotonMappingIntegrator>(s, sampler);
+    return std::make_unique<PhotonMappingIntegrator>(s, withOwnSeed(p, sampling));
 }
 
-std::unique_ptr<Integrator> ppm(const ParameterSet& p, const SamplerSettings& sampler) {
+std::unique_ptr<Integrator> ppm(const ParameterSet& p, const Sampling& sampling) {
     PhotonMappingSettings s = photonMapping(p);
     s.fixedEyePaths = s.eye.branch = true;
     s.eyePathsPerPixel = p.getInteger("hitpointsperpixel", 4);
@@ -72,10 +86,10 @@ std::unique_ptr<Integrator> ppm(const ParameterSet& p, const SamplerSettings& sa
         p.error("hitpointsperpixel", "\"hitpointsperpixel\" must lie between 1 and 4096");
     const std::string lookup = p.getChoice("lookup", "grid", {"grid", "kdtree", "naive"});
     s.search = lookup == "grid" ? PhotonSearch::Grid : lookup == "kdtree" ? PhotonSearch::Tree : PhotonSearch::Naive;
-    return std::make_unique<PhotonMappingIntegrator>(s, sampler);
+    return std::make_unique<PhotonMappingIntegrator>(s, withOwnSeed(p, sampling));
 }
 
-using IntegratorBuilder = std::unique_ptr<Integrator> (*)(const ParameterSet&, const SamplerSettings&);
+using IntegratorBuilder = std::unique_ptr<Integrator> (*)(const ParameterSet&, const Sampling&);
 constexpr RegistryEntry<IntegratorBuilder> integratorTypes[] = {{"path", path},
                                                                 {"volpath", path},
                                                                 {"lightpath", lightPath},
@@ -96,9 +110,10 @@ constexpr RegistryEntry<IntegratorBuilder> integratorTypes[] = {{"path", path},
 std::unique_ptr<Integrator> buildIntegrator(BuildContext& context, const Overrides& overrides,
                                             const SamplerSettings& sampler) {
     const Node& written = context.nodes().integrator;
+    const Sampling sampling{sampler, overrides.seed.has_value()};
     if (overrides.integrator.empty() || overrides.integrator == written.type)
         return context.guarded(written, [&] {
-            return findBuilder<IntegratorBuilder>(integratorTypes, written, "integrator")(written.parameters, sampler);
+            return findBuilder<IntegratorBuilder>(integratorTypes, written, "integrator")(written.parameters, sampling);
         });
 
     // The command line's type keeps the scene's parameters that it knows and names those that it drops.
@@ -106,10 +121,11 @@ std::unique_ptr<Integrator> buildIntegrator(BuildContext& context, const Overrid
     node.type = overrides.integrator;
     node.typePlace = node.place = Place{};
     return context.guarded(node, [&] {
-        auto integrator = findBuilder<IntegratorBuilder>(integratorTypes, node, "integrator")(node.parameters, sampler);
+        auto integrator =
+            findBuilder<IntegratorBuilder>(integratorTypes, node, "integrator")(node.parameters, sampling);
         written.parameters.takeReadsFrom(node.parameters);
         for (const std::string& name : node.parameters.names())
-            if (!node.parameters.wasRead(name)) {
+            if (node.parameters.isUnused(name)) {
                 context.diagnostics().warning(
                     written.parameters.place(name),
                     fmt::format("integrator \"{}\" has no parameter \"{}\": dropped", node.type, name));

@@ -107,11 +107,12 @@ void describe(const SceneNodes& nodes, const std::optional<M44d>& ndcFromCamera,
     if (ndcFromCamera) scene.metadata.matrices["worldToNDC"] = worldToCamera * *ndcFromCamera;
 }
 
+/// In the current folder, by the scene's name. Names have dots of their own: glass.v2.pbrt.
 std::string defaultOutput(const std::string& sceneName) {
-    std::filesystem::path name = std::filesystem::path(sceneName).filename();
-    while (name.has_extension())
-        name = name.stem();
-    return (name.empty() || name == "-" ? "vitrine" : name.string()) + ".exr";
+    std::string name = std::filesystem::path(sceneName).filename().string();
+    for (const std::string_view ending : {".gz", ".pbrt"})
+        if (name.ends_with(ending)) name.resize(name.size() - ending.size());
+    return (name.empty() || sceneName == standardInputName ? "vitrine" : name) + ".exr";
 }
 
 /// By file and place, as a reader goes through them; builders find them family by family.
@@ -131,7 +132,20 @@ std::vector<Diagnostic> inOrder(std::vector<Diagnostic> all,
     return all;
 }
 
-Scene buildScene(SceneNodes nodes, const Overrides& overrides) {
+/// What the integrator says of the scene, at its own place.
+void checkIntegrator(const Scene& scene, const Node& written, const Overrides& overrides) {
+    try {
+        scene.integrator->check(scene.world);
+    } catch (const std::invalid_argument& e) {
+        if (overrides.integrator.empty())
+            throw SceneError(written.typePlace ? written.typePlace : written.place, e.what());
+        throw SceneError(Place{}, fmt::format("--integrator {}: {}", overrides.integrator, e.what()));
+    }
+}
+
+Scene buildScene(ParsedScene parsed, const Overrides& overrides) {
+    if (parsed.hasErrors && !parsed.nodesTellMore) throw SceneError(std::move(parsed.diagnostics));
+    SceneNodes& nodes = parsed.nodes;
     Scene scene;
     scene.name = nodes.name;
     Settings settings;
@@ -140,8 +154,11 @@ Scene buildScene(SceneNodes nodes, const Overrides& overrides) {
     settings.addTo(nodes);
 
     Diagnostics diagnostics;
-    for (const auto& warning : nodes.warnings)
-        diagnostics.warning(warning.place, warning.message, warning.hint);
+    for (const auto& d : parsed.diagnostics)
+        if (d.severity == Diagnostic::Severity::Error)
+            diagnostics.error(d.place, d.message, d.hint);
+        else
+            diagnostics.warning(d.place, d.message, d.hint);
     refuseOptions(nodes, diagnostics);
     BuildContext context(nodes, diagnostics);
     const FilmPlan film = buildFilm(context, overrides);
@@ -154,11 +171,13 @@ Scene buildScene(SceneNodes nodes, const Overrides& overrides) {
     CameraPlan camera;
     if (scene.film.resolution.x > 0 && scene.film.resolution.y > 0) camera = buildCamera(context, scene.film);
     scene.world = buildWorld(context);
-    settings.checkRead(nodes, diagnostics);
+    // What an integrator of its own would read is not known where its directive is wrong.
+    if (!parsed.hasErrors) settings.checkRead(nodes, diagnostics);
     if (diagnostics.hasErrors()) throw SceneError(inOrder(diagnostics.all(), nodes.sources));
 
     scene.world.camera = std::move(camera.camera);
     scene.world.prepare();
+    checkIntegrator(scene, nodes.integrator, overrides);
     scene.outputFile = film.fileName.empty() ? defaultOutput(nodes.name) : film.fileName;
     for (const auto& d : diagnostics.all())
         scene.warnings.push_back(d);
@@ -178,6 +197,8 @@ Scene buildScene(SceneNodes nodes, const Overrides& overrides) {
     // Not the number of samples: a checkpoint may go on to more.
     for (const auto& text : overrides.settings)
         fingerprint.add(text);
+    // Another build may round otherwise: its passes do not belong to the same picture.
+    fingerprint.add(VITRINE_VERSION " " VITRINE_ARCH);
     fingerprint.add(fmt::format("{} {} {} {} {} {} {}", scene.integratorType, sampler.settings.seed,
                                 int(sampler.settings.kind), scene.film.resolution.x, scene.film.resolution.y,
                                 scene.film.cropMin.x, scene.film.cropMin.y));
@@ -188,12 +209,12 @@ Scene buildScene(SceneNodes nodes, const Overrides& overrides) {
 } // namespace
 
 Scene loadScene(const std::string& file, const Overrides& overrides) {
-    return buildScene(parseSceneFile(file), overrides);
+    return buildScene(readSceneFile(file), overrides);
 }
 
 Scene loadSceneString(const std::string& text, const std::string& name, const Overrides& overrides,
                       const std::string& baseDirectory) {
-    return buildScene(parseSceneString(text, name, baseDirectory), overrides);
+    return buildScene(readSceneString(text, name, baseDirectory), overrides);
 }
 
 } // namespace vitrine

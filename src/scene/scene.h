@@ -16,7 +16,7 @@ struct Scene {
     std::unique_ptr<Integrator> integrator;
     FilmSettings film;
     std::uint64_t samplesPerPixel = 16; ///< passes
-    std::string outputFile;             ///< as the scene names it; else the scene's own name with .exr
+    std::string outputFile;             ///< as the scene names it; else the scene's own name with .exr, or vitrine.exr
     ImageMetadata metadata;             ///< camera and window, for pictures
     std::vector<Diagnostic> warnings;
     /// Of all texts and files and settings that change the picture: partial renders of other scenes do not merge.

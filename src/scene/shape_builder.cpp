@@ -62,14 +62,16 @@ Shapes plane(const ShapeInput& in) {
 
 std::vector<std::uint32_t> vertexIndices(const ParameterSet& p, std::size_t perFace) {
     const auto given = p.getIntegers("indices");
-    for (std::size_t i = 0; i < given.size(); ++i)
-        if (given[i] < 0) {
-            p.errorAtValue("indices", i, "a vertex index must not be negative");
-            return {};
-        }
     if (given.size() % perFace != 0)
         p.error("indices", fmt::format("{} indices are no multiple of {}", given.size(), perFace));
-    return {given.begin(), given.end() - std::ptrdiff_t(given.size() % perFace)};
+    const auto negative = std::find_if(given.begin(), given.end(), [](int index) { return index < 0; });
+    if (negative != given.end())
+        p.errorAtValue("indices", std::size_t(negative - given.begin()), "a vertex index must not be negative");
+    // In place of negative ones stands 0, so that the mesh finds those that are too large.
+    std::vector<std::uint32_t> indices(given.size() - given.size() % perFace);
+    for (std::size_t i = 0; i < indices.size(); ++i)
+        indices[i] = std::uint32_t(std::max(0, given[i]));
+    return indices;
 }
 
 MeshInput meshInput(const ParameterSet& p) {
@@ -119,8 +121,8 @@ Shapes revolution(const ShapeInput& in) {
     const ParameterSet& p = in.parameters;
     Profile profile = buildProfile(in.context, in.node);
     const bool byLength = p.getChoice("vmap", "parameter", {"parameter", "arclength"}) == "arclength";
-    return {std::make_shared<Revolution>(in.worldFromObject, in.reverse, std::move(profile),
-                                         p.getFloat("phimax", 360), byLength ? VMap::ArcLength : VMap::Parameter)};
+    return {std::make_shared<Revolution>(in.worldFromObject, in.reverse, std::move(profile), p.getFloat("phimax", 360),
+                                         byLength ? VMap::ArcLength : VMap::Parameter)};
 }
 
 using ShapeBuilder = Shapes (*)(const ShapeInput&);

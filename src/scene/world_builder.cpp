@@ -49,7 +49,8 @@ class WorldBuilder {
   private:
     void refuseMedia() {
         for (const auto& medium : context_.nodes().media)
-            context_.diagnostics().error(medium.place, "participating media are not yet supported");
+            if (medium.place) // else it was named, but is not there
+                context_.diagnostics().error(medium.place, "participating media are not yet supported");
     }
 
     void buildMaterials() {

@@ -1,4 +1,5 @@
 // Scenes in files: Include, Import, compressed files, .spd.
+#include "nodes/source.h"
 #include "nodes/spd.h"
 #include "scene_text.h"
 
@@ -167,6 +168,35 @@ TEST(Files, CutOffCompressedFileIsAFileError) {
     const auto file = gzip(directory, "scene.pbrt.gz", text);
     std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
     EXPECT_THROW(parseSceneFile(file), FileError);
+}
+
+TEST(Files, SmallOnesMustNotBecomeBoundlessText) {
+    const ScratchDirectory directory;
+    // 64 KiB of text in some hundred bytes.
+    const auto packed = gzip(directory, "packed.pbrt.gz", std::string(65536, '#'));
+    const auto plain = directory.write("plain.pbrt", std::string(65536, '#'));
+    const auto spent = [] {
+        TextBudget budget;
+        budget.text = TextBudget::freeBytes - 20000;
+        return budget;
+    };
+    TextBudget budget = spent();
+    EXPECT_THROW(readWholeFile(packed, budget), FileError);
+    budget = spent();
+    EXPECT_EQ(readWholeFile(plain, budget).size(), 65536u) << "what lies in files is never too much";
+    // It is counted once as lying there, and each time as text.
+    int more = 0;
+    while (more < 100)
+        try {
+            readWholeFile(plain, budget);
+            ++more;
+        } catch (const FileError& e) {
+            EXPECT_EQ(std::string(e.what()), plain + ": with it the scene has more than 256 MiB of text and 32 times "
+                                                     "what lies in its files: they are packed, or included again and "
+                                                     "again");
+            break;
+        }
+    EXPECT_EQ(more, int(TextBudget::packing) - 1);
 }
 
 TEST(Files, EverySceneOfTheRepositoryIsRead) {

@@ -41,6 +41,21 @@ TEST(Overrides, IntegratorKeepsWhatItKnowsAndNamesTheRest) {
     EXPECT_EQ(errorsOf("Integrator \"sppm\" \"integer maxdepth\" \"deep\"\nWorldBegin\n", overrides).size(), 1u);
 }
 
+TEST(Overrides, SetIsForTheChosenIntegrator) {
+    const std::string sppm =
+        "Film \"rgb\" \"integer xresolution\" 8 \"integer yresolution\" 8\n"
+        "Integrator \"sppm\" \"float radius\" 1\nWorldBegin\nLightSource \"point\"\nShape \"disk\"\n";
+    Overrides overrides = set({"radiuspixels=2", "xresolution=5"});
+    EXPECT_EQ(errorsOf(sppm, overrides), Lines{});
+    overrides.integrator = "path";
+    EXPECT_EQ(errorsOf(sppm, overrides).back(),
+              "--set:1:1: error: no integrator, film or sampler parameter is called \"radiuspixels\"");
+    overrides.settings = {"xresolution=5"};
+    const Scene scene = built(sppm, overrides);
+    ASSERT_EQ(scene.warnings.size(), 1u) << "of the scene's radius, not of --set xresolution";
+    EXPECT_EQ(scene.warnings[0].message, "integrator \"path\" has no parameter \"radius\": dropped");
+}
+
 TEST(Fingerprint, DependsOnWhatChangesThePicture) {
     const std::uint64_t same = built(text).fingerprint;
     EXPECT_EQ(built(text).fingerprint, same);
@@ -57,6 +72,17 @@ TEST(Fingerprint, DependsOnWhatChangesThePicture) {
     for (const auto& other : others)
         EXPECT_NE(built(text, other).fingerprint, same);
     EXPECT_NE(built(text + "Shape \"disk\"\n").fingerprint, same);
+}
+
+TEST(DefaultOutput, IsNamedAfterTheScene) {
+    const auto outputOf = [&](const std::string& name) { return loadSceneString(text, name).outputFile; };
+    EXPECT_EQ(outputOf("scene.pbrt"), "scene.exr");
+    EXPECT_EQ(outputOf("a/b/scene.pbrt.gz"), "scene.exr");
+    EXPECT_EQ(outputOf("v1.2.pbrt"), "v1.2.exr");
+    EXPECT_EQ(outputOf("v1.3.pbrt"), "v1.3.exr");
+    EXPECT_EQ(outputOf("scene"), "scene.exr");
+    EXPECT_EQ(outputOf("<stdin>"), "vitrine.exr");
+    EXPECT_EQ(outputOf(".pbrt"), "vitrine.exr");
 }
 
 } // namespace

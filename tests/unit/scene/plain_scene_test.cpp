@@ -179,15 +179,16 @@ TEST_F(Plain, IntegratorsOfOursAreReplacedAloud) {
     const PlainScene nee = plain("Integrator \"path\" \"bool nee\" false\nWorldBegin\n");
     EXPECT_THAT(warnings(nee), ElementsAre(HasSubstr("no parameter \"nee\"")));
     EXPECT_EQ(nee.nodes.integrator.type, "path");
-    const PlainScene ppm = plain("Integrator \"ppm\" \"integer maxdepth\" 6 \"float radius\" .1\nWorldBegin\n");
+    const std::string lit = "WorldBegin\nLightSource \"infinite\"\nShape \"disk\"\n"; // photons need it
+    const PlainScene ppm = plain("Integrator \"ppm\" \"integer maxdepth\" 6 \"float radius\" .1\n" + lit);
     EXPECT_THAT(warnings(ppm), ElementsAre(HasSubstr("no integrator \"ppm\": written as \"path\""),
                                            HasSubstr("no parameter \"radius\"")));
     EXPECT_THAT(ppm.nodes.integrator.parameters.names(), ElementsAre("maxdepth"));
-    const PlainScene sppm =
-        plain("Integrator \"sppm\" \"float radius\" .1 \"string radiusrule\" \"shared\"\nWorldBegin\n");
+    const PlainScene sppm = plain("Integrator \"sppm\" \"float radius\" .1 \"string radiusrule\" \"shared\"\n" + lit);
     EXPECT_THAT(warnings(sppm), ElementsAre(HasSubstr("no parameter \"radiusrule\"")));
     EXPECT_EQ(sppm.nodes.integrator.type, "sppm");
-    const PlainScene filled = plain("Integrator \"sppm\"\nWorldBegin\nMaterial \"dielectric\" \"float absorption\" 1\n"
+    const PlainScene filled = plain("Integrator \"sppm\"\n" + lit +
+                                    "Material \"dielectric\" \"float absorption\" 1\n"
                                     "Shape \"sphere\"\n");
     EXPECT_THAT(warnings(filled), ElementsAre(HasSubstr("\"sppm\" follows no light through media")));
     EXPECT_EQ(filled.nodes.integrator.type, "volpath");
