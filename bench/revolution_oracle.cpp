@@ -63,11 +63,11 @@ Tally runBlocks(long blocks, const Options& options, RunBlock&& runBlock, Line&&
 }
 
 std::string lineOf(const CampaignTally& t) {
-    return fmt::format(
-        "pairs {} with hits {} crossings {} excused {} missed {} spurious {} off surface {} wrong first/any "
-        "{} worst backward error {:.2f} (point) {:.2f} (ray) n eps",
-        t.pairs, t.pairsWithHits, t.crossings, t.excused, t.missed, t.spurious, t.offSurface, t.wrongInInterval,
-        t.worstPoint, t.worstOnRay);
+    return fmt::format("pairs {} with hits {} crossings {} excused {} (noisy {}, most {}) missed {} spurious {} off "
+                       "surface {} wrong first/any "
+                       "{} worst backward error {:.2f} (point) {:.2f} (ray) n eps",
+                       t.pairs, t.pairsWithHits, t.crossings, t.excused, t.noisyTouches, t.mostAtATouch, t.missed,
+                       t.spurious, t.offSurface, t.wrongInInterval, t.worstPoint, t.worstOnRay);
 }
 
 bool runPairs(const Options& options) {

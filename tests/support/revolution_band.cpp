@@ -278,10 +278,12 @@ Judgement judge(const ProfilePoints& profile, double phiMaxDegrees, const Ray& r
         for (const Place& place : members)
             if (place.ours || place.sector >= 0) surplus += place.ours ? 1 : -1;
         if (surplus == 0) continue;
-        if (isAtRim(scene, members, ray, phiMaxDegrees) || (surplus % 2 == 0 && turnsBack(scene, members)))
+        if (isAtRim(scene, members, ray, phiMaxDegrees) || (surplus % 2 == 0 && turnsBack(scene, members))) {
             result.excused = true;
-        else
+            result.tooManyAtATouch = std::max(result.tooManyAtATouch, surplus);
+        } else {
             (surplus > 0 ? result.spurious : result.missed) += std::abs(surplus);
+        }
     }
     return result;
 }

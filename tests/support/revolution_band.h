@@ -17,6 +17,7 @@ namespace vitrine::test {
 struct Judgement {
     int missed = 0, spurious = 0;
     bool excused = false;
+    int tooManyAtATouch = 0; ///< the most in one excused part: above 2, rounding was taken for roots
 
     bool isClean() const { return missed == 0 && spurious == 0; }
 };

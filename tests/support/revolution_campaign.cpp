@@ -63,10 +63,11 @@ long double distanceFromProfile(const std::vector<SlowCurve>& curves, const Orac
 void CampaignTally::add(const CampaignTally& other) {
     for (const auto member :
          {&CampaignTally::pairs, &CampaignTally::pairsWithHits, &CampaignTally::crossings, &CampaignTally::judged,
-          &CampaignTally::excused, &CampaignTally::overruled, &CampaignTally::missed, &CampaignTally::spurious,
-          &CampaignTally::wrongPairs, &CampaignTally::offSurface, &CampaignTally::intervals,
+          &CampaignTally::excused, &CampaignTally::noisyTouches, &CampaignTally::overruled, &CampaignTally::missed,
+          &CampaignTally::spurious, &CampaignTally::wrongPairs, &CampaignTally::offSurface, &CampaignTally::intervals,
           &CampaignTally::wrongInInterval, &CampaignTally::refused})
         this->*member += other.*member;
+    mostAtATouch = std::max(mostAtATouch, other.mostAtATouch);
     worstPoint = std::max(worstPoint, other.worstPoint);
     worstOnRay = std::max(worstOnRay, other.worstOnRay);
     addEach(pairsByKind, other.pairsByKind);
@@ -172,10 +173,12 @@ void Campaign::runPair(const CampaignPair& pair, const Revolution& shape,
         theirs = exact;
     }
     // By Bezout no line meets more; a list of thousands would keep the judge for hours.
-    const bool impossible = ours.size() > 4 * degree * pair.profile.size();
-    const Judgement verdict = impossible ? Judgement{0, int(ours.size()), false}
+    const bool impossible = ours.size() > 2 * degree * pair.profile.size();
+    const Judgement verdict = impossible ? Judgement{0, int(ours.size()), false, 0}
                                          : judge(pair.profile, pair.phiMax, pair.ray, theirs, ours, band);
     tally.excused += verdict.excused;
+    tally.noisyTouches += verdict.tooManyAtATouch > 2;
+    tally.mostAtATouch = std::max(tally.mostAtATouch, verdict.tooManyAtATouch);
     tally.excusedByKind[kind] += verdict.excused;
     tally.missed += verdict.missed;
     tally.spurious += verdict.spurious;

@@ -23,9 +23,11 @@ inline constexpr double maxBackwardError = 64;
 
 struct CampaignTally {
     long pairs = 0, pairsWithHits = 0, crossings = 0;
-    long judged = 0;    ///< pairs whose lists were not alike at first sight
-    long excused = 0;   ///< of these, pairs within the tangency band
-    long overruled = 0; ///< pairs in which the slow solver, not the shape, erred outside the band
+    long judged = 0;       ///< pairs whose lists were not alike at first sight
+    long excused = 0;      ///< of these, pairs within the tangency band
+    long noisyTouches = 0; ///< of these, pairs with more than one pair of crossings too many at one touch
+    int mostAtATouch = 0;  ///< the most too many
+    long overruled = 0;    ///< pairs in which the slow solver, not the shape, erred outside the band
     long missed = 0, spurious = 0, offSurface = 0; ///< crossings
     long wrongPairs = 0;                           ///< with one of the first two
     long intervals = 0, wrongInInterval = 0; ///< first-hit and any-hit calls that differ from the list of all hits
