@@ -97,8 +97,9 @@ bool runParity(const Options& options) {
         (options.parity + raysEach - 1) / raysEach, options,
         [&](std::uint64_t block) { return runParityBlock(options.seed, block, raysEach, tell); },
         [](const ParityTally& p) {
-            return fmt::format("rays {} with hits {} crossings {} odd {} wrong walks {} wrong normals {} grazing {}",
-                               p.rays, p.raysWithHits, p.crossings, p.odd, p.wrongWalk, p.wrongNormal, p.grazing);
+            return fmt::format(
+                "rays {} with hits {} crossings {} odd {} wrong walks {} wrong normals {} grazing {} rounded {}",
+                p.rays, p.raysWithHits, p.crossings, p.odd, p.wrongWalk, p.wrongNormal, p.grazing, p.rounded);
         });
     return t.isClean();
 }

@@ -220,7 +220,7 @@ void Campaign::checkIntervals(const CampaignPair& pair, const Revolution& shape,
 void ParityTally::add(const ParityTally& other) {
     for (const auto member :
          {&ParityTally::rays, &ParityTally::raysWithHits, &ParityTally::crossings, &ParityTally::odd,
-          &ParityTally::wrongWalk, &ParityTally::wrongNormal, &ParityTally::grazing})
+          &ParityTally::wrongWalk, &ParityTally::wrongNormal, &ParityTally::grazing, &ParityTally::rounded})
         this->*member += other.*member;
 }
 
@@ -242,7 +242,14 @@ ParityTally runParityBlock(std::uint64_t seed, std::uint64_t block, int rays, co
         };
         if (hits.size() % 2 == 1 && ++tally.odd <= 2) tell("odd");
 
-        std::size_t steps = 0;
+        // Crossings at the very same s are one step; of those that rounding alone parts, either may be overstepped.
+        std::size_t steps = 0, places = 0;
+        bool rounded = false;
+        for (std::size_t k = 0; k < hits.size(); ++k) {
+            const double way = k == 0 ? infinityD : hits[k].s - hits[k - 1].s;
+            places += way > 0;
+            rounded = rounded || (way > 0 && way < 16 * eps * std::abs(hits[k].s));
+        }
         PrimitiveHit best, hit;
         for (double s = -infinityD; steps <= hits.size(); s = best.s, ++steps) {
             best = PrimitiveHit{};
@@ -250,11 +257,8 @@ ParityTally runParityBlock(std::uint64_t seed, std::uint64_t block, int rays, co
                 if (shape.intersect(prim, ray, s, best.s, hit)) best = hit;
             if (best.s == infinityD) break;
         }
-        // Crossings at the very same s are one step.
-        std::size_t places = 0;
-        for (std::size_t k = 0; k < hits.size(); ++k)
-            places += k == 0 || hits[k].s > hits[k - 1].s;
-        if (steps != places && ++tally.wrongWalk <= 2) tell("walk");
+        tally.rounded += rounded;
+        if (steps != places && !rounded && ++tally.wrongWalk <= 2) tell("walk");
 
         bool grazes = false, alternates = true;
         const double length = ray.d.length();

@@ -77,6 +77,7 @@ struct ParityTally {
     long odd = 0;         ///< rays whose list of crossings is odd
     long wrongWalk = 0;   ///< rays on which stepping from hit to hit finds another number
     long wrongNormal = 0; ///< crossings that do not alternate between entering and leaving
+    long rounded = 0;     ///< rays not stepped along: two crossings that differ by less than 16 eps
     long grazing = 0;     ///< rays not looked at for that: |cos| at a crossing below 1e-4, or two within 1e-7
 
     void add(const ParityTally& other);
