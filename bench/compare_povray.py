@@ -2,8 +2,8 @@
 """POV-Ray's lathe beside the exact turned profile, by the same camera: what a ray costs.
 
 POV-Ray tells no time a ray, so it renders each subject and a sphere of the same size (ambient light only: one ray a pixel),
-in turns; the difference of the two user times, over the pixels, is what the lathe costs more than the sphere. Ours is the time of
-the whole closest-hit call of the shape, from the same camera, once as it is and once less what the same call of a sphere costs.
+in turns; the difference of the two user times, over the pixels, is what the lathe costs more than the sphere. Ours, from the same
+camera, is the shape's own closest-hit call: all of it, and less that of a sphere; and the whole call of the ray caster.
 Needs `povray` (Debian's package) and build/release/bench_revolution_speed."""
 import argparse
 import json
@@ -55,14 +55,16 @@ def main():
                 lathe.setdefault(subject, []).append((both[0] - both[1]) * 1e9 / options.side**2)
             for key, ns in our_nanoseconds(program, 3, folder).items():
                 ours.setdefault(key, []).append(ns)
-        print(f"{'':8} {'lathe less sphere':>18} {'exact, shape alone':>19} {'ratio':>6} {'exact, caster':>14} {'ratio':>6}")
+        print(f"{'camera rays':12} {'lathe less sphere':>18} {'exact':>8} {'ratio':>6} {'less sphere':>12} {'ratio':>6} "
+              f"{'by caster':>10} {'ratio':>6}")
         for subject, differences in lathe.items():
-            columns = [f"{statistics.median(differences):15.0f} ns"]
-            for contender in ("exact, shape alone", "exact, caster"):
-                own = ours[subject, contender]
+            alone = ours[subject, "exact, shape alone"]
+            sphere = ours[subject, "sphere, shape alone"]
+            columns = []
+            for own in (alone, [a - b for a, b in zip(alone, sphere)], ours[subject, "exact, caster"]):
                 ratio = statistics.median(a / b for a, b in zip(differences, own))
-                columns.append(f"{statistics.median(own):13.0f} ns {ratio:9.1f}")
-            print(f"{subject:8} " + " ".join(columns))
+                columns.append(f"{statistics.median(own):5.0f} ns {ratio:6.1f}")
+            print(f"{subject:12} {statistics.median(differences):15.0f} ns " + "    ".join(columns))
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@
 #include "revolution_povray.h"
 #include "shapes/mesh.h"
 #include "shapes/revolution/tessellate.h"
+#include "shapes/sphere.h"
 #include "support/newton2018.h"
 
 #include <CLI/CLI.hpp>
@@ -71,7 +72,7 @@ std::vector<std::vector<double>> measure(const std::vector<Contender>& contender
     return times;
 }
 
-CastAll closestByShape(std::shared_ptr<const Revolution> shape) {
+CastAll closestByShape(ShapePtr shape) {
     return castAll([shape = std::move(shape)](const Ray& ray) {
         PrimitiveHit best, hit;
         for (unsigned prim = 0; prim < shape->primitiveCount(); ++prim)
@@ -135,10 +136,15 @@ std::vector<Contender> contendersFor(const Subject& subject, const Options& opti
     const std::shared_ptr<const Revolution> shape = subject.shape();
     const std::shared_ptr<const Caster> caster = casterOf({shape});
     const test::Newton2018 newton(subject.points);
+    M44d place;
+    place.translate(subject.middle);
+    const double radius = subject.half.y;
     std::vector<Contender> contenders{
         {"exact, shape alone", closestByShape(shape)},
         {"exact, caster", closestByCaster(caster)},
         {"exact, caster, any hit", anyByCaster(caster)},
+        {"sphere, shape alone",
+         closestByShape(std::make_shared<Sphere>(Transform(place), false, radius, -radius, radius, 360))},
         {"Newton 2018", castAll([newton](const Ray& ray) { return newton.closest(ray, 0, infinityD).has_value(); }),
          newtonRays}};
     for (const std::uint64_t triangles : options.triangles) {

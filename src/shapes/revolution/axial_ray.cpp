@@ -18,18 +18,21 @@ AxialRay::AxialRay(const Ray& ray) {
     length = unit * scaledLength;
     h = horizontal * inverse;
     v = d.y * inverse;
-    // For a horizontal ray any height outside the slab is infinitely far.
-    inverseV = std::abs(v) > 1e-300 ? scaledLength / d.y : std::copysign(1e300, v);
+    // For a horizontal ray any height outside the slab is infinitely far; yet a height times this is a number.
+    inverseV = std::abs(v) > 1 / limit ? scaledLength / d.y : std::copysign(limit, v);
     ox = ray.o.x;
     oy = ray.o.y;
     oz = ray.o.z;
     dx = d.x * inverse;
     dz = d.z * inverse;
     // For a vertical ray every horizontal direction will do.
-    const double inverseHorizontal = horizontal > 0 ? 1 / horizontal : 0;
-    const double ux = horizontal > 0 ? d.x * inverseHorizontal : 1, uz = d.z * inverseHorizontal;
-    e = std::abs(differenceOfProducts(ox, uz, oz, ux));
-    q = ox * ux + oz * uz;
+    if (horizontal > 0) {
+        e = std::abs(differenceOfProducts(ox, d.z, oz, d.x)) / horizontal;
+        q = (ox * d.x + oz * d.z) / horizontal;
+    } else {
+        e = std::abs(oz);
+        q = ox;
+    }
     vq = v * q;
 }
 

@@ -22,7 +22,7 @@ struct AxialRay {
     double q = 0;
     double oy = 0;
     double vq = 0;                         ///< v q
-    double inverseV = 1;                   ///< 1 / v, +-1e300 at most
+    double inverseV = 1;                   ///< 1 / v, at most 1e150 in magnitude
     double length = 0;                     ///< of the ray's direction: s = l / length
     double ox = 0, oz = 0, dx = 0, dz = 0; ///< horizontal origin and horizontal part of the unit direction
     double reach = 0;                      ///< largest coordinate of the origin: what rounding is measured by

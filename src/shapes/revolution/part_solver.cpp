@@ -17,10 +17,11 @@ PartSolver::PartSolver(const BezierCurve& curve, unsigned index)
     // At a pole x^2 and the ray's distance both vanish: there the height must be exact to keep F's relative accuracy.
     middle_ = x0_ == 0 ? y0_ : x1_ == 0 ? y1_ : (y0_ + y1_) / 2;
     std::vector<double> height = y;
-    xMax_ = 0;
+    xMax_ = reach_ = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
         height[i] -= middle_;
         xMax_ = std::max(xMax_, std::abs(x[i]));
+        reach_ = std::max({reach_, std::abs(x[i]), std::abs(y[i])});
     }
     const std::vector<double> x2 = bernstein::multiply(x, x), y2 = bernstein::multiply(height, height),
                               y1 = bernstein::elevate(height, 2 * curve.degree());

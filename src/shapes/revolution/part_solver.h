@@ -42,22 +42,21 @@ class PartSolver {
         Lanes x2, y1, y2;
     };
     struct Quadratic; ///< F in degree 2n, for one ray
-    struct Branch;    ///< of the hyperbola: one sign of g
+    struct Dip;
+    struct Branch; ///< of the hyperbola: one sign of g
+    struct Excess; ///< of x over a radius
 
     struct Root {
         double t, x, y;
     };
 
-    /// The root in the bracket, from where the search for it may begin.
+    /// The root in the bracket, from where the search for it may begin. A step shorter than Function::lastStep is the last.
     template <class Function>
     Root findRoot(const Function& function, Bracket bracket, double guess) const;
     template <class Function>
     bool offerRoot(const Function& function, Bracket bracket, double guess, HitCollector& hits) const;
 
     void solveSteep(HitCollector& hits) const;
-    struct Dip {
-        double t, y;
-    };
     std::optional<Dip> findDip(const Quadratic& f) const;
     void solveSeveral(const Quadratic& f, int variations, HitCollector& hits) const;
     bool isolateSteep(const Quadratic& f, double* c, double ta, double tb, int depth, HitCollector& hits) const;
@@ -67,7 +66,7 @@ class PartSolver {
     void solveShallow(HitCollector& hits) const;
     bool clipToReach(const AxialRay& ray, double* x, double* p, double& ta, double& tb) const;
     double reachAt(double radius) const;
-    void isolateShallow(const Branch& branch, double* x, double* p, double ta, double tb, int depth,
+    bool isolateShallow(const Branch& branch, const double* x, const double* p, double ta, double tb, int depth,
                         HitCollector& hits) const;
 
     unsigned index_;
@@ -76,6 +75,7 @@ class PartSolver {
     double x0_, y0_, x1_, y1_, xHalf_, yHalf_;
     double middle_; ///< reference height, of the part's middle or its pole
     double xMax_;   ///< of the control points: |x|
+    double reach_;  ///< of the control points: |x| and |y|
     PartCurve curve_;
     std::vector<Quadruple> squares_;
     std::vector<double> control_; ///< x of the control points, then y

@@ -9,13 +9,21 @@
 namespace vitrine {
 
 struct PartSolver::Branch {
+    /// Next to the closest approach, where S has its root, higher derivatives are large.
+    static constexpr double lastStep = 0x1p-23;
+
     const AxialRay& ray;
     double w;
     bool forward;
+    double unit; ///< rounding of the part's coordinates after many halvings
+    double base; ///< that, and rounding of the ray's
 
-    /// Rounding in G's values near (x, p).
-    double noise(double x, double p) const { return 0x1p-49 * (2 * std::abs(ray.vq) + std::abs(p) + std::abs(w) * x); }
-    double value(double x, double p) const { return p - w * ray.halfWidth(x); }
+    /// Rounding in G's values where S is s, and room to spare: G is a length, to be known to 1e-9 of the profile at the
+    /// least. An error of delta in x makes one of x delta / S in S, and of sqrt(2 x delta) where S is next to nothing.
+    double noise(double x, double s) const {
+        const double amplified = s > 0 ? x * unit / s : infinityD;
+        return base + std::abs(w) * std::min(std::sqrt(x * unit), amplified);
+    }
     Derivatives operator()(const CurveSample& c) const {
         const double p = ray.P(c.y), s = ray.halfWidth(c.x);
         if (!(s > 0)) return {p, ray.h * c.dy, ray.h * c.ddy};
@@ -24,14 +32,12 @@ struct PartSolver::Branch {
     }
     bool isForward(double) const { return forward; }
     /// dS/dx = x / S; infinite where the ray is closest to the axis.
-    double slope(double x) const {
-        const double s = ray.halfWidth(x);
-        return s > 0 ? x / s : infinityD;
-    }
+    static double slope(double x, double s) { return s > 0 ? x / s : infinityD; }
     /// Range of G over the interval by its enclosure.
-    std::pair<double, double> enclose(const double* x, const double* p, int n) const {
+    /// \param sa, sb S at the lesser and the greater radius
+    std::pair<double, double> enclose(const double* x, const double* p, int n, double sa, double sb) const {
         const auto [xa, xb] = std::minmax(x[0], x[n - 1]);
-        const double sa = ray.halfWidth(xa), rise = ray.halfWidth(xb) - sa;
+        const double rise = sb - sa;
         double chord = 0, band = rise; // of a vertical wall
         if (xb - xa > 1e-9 * xb) {
             chord = rise / (xb - xa);
@@ -49,20 +55,17 @@ struct PartSolver::Branch {
         return {low, high};
     }
     /// Whether G is monotone over the interval: its derivative's coefficients keep one sign for both extremes of dS/dx.
-    bool isMonotone(const double* x, const double* p, int n) const {
+    bool isMonotone(const double* x, const double* p, int n, double sa, double sb) const {
         const auto [xa, xb] = std::minmax(x[0], x[n - 1]);
-        const double least = slope(xb), most = slope(xa);
-        bool rises = true, falls = true;
+        const double least = slope(xb, sb), most = slope(xa, sa);
+        double low = infinityD, high = -infinityD;
         for (int k = 1; k < n; ++k) {
-            const double dp = p[k] - p[k - 1], dx = x[k] - x[k - 1];
-            const double turn = w * dx;
-            for (const double m : {least, most}) {
-                const double d = turn == 0 ? dp : dp - turn * m;
-                rises = rises && d >= 0;
-                falls = falls && d <= 0;
-            }
+            const double dp = p[k] - p[k - 1], turn = w * (x[k] - x[k - 1]);
+            const double a = turn == 0 ? dp : dp - turn * least, b = turn == 0 ? dp : dp - turn * most;
+            low = std::min({low, a, b});
+            high = std::max({high, a, b});
         }
-        return rises || falls;
+        return low >= 0 || high <= 0;
     }
 };
 
@@ -80,13 +83,16 @@ void PartSolver::solveShallow(HitCollector& hits) const {
     if (low > widest || high < -widest) return;
     double ta = 0, tb = 1;
     if (!clipToReach(ray, x, p, ta, tb)) return;
-    for (const bool forward : {true, false}) {
-        double bx[maxPoints], bp[maxPoints];
-        std::copy_n(x, points_, bx);
-        std::copy_n(p, points_, bp);
-        isolateShallow(Branch{ray, forward ? ray.v : -ray.v, forward}, bx, bp, ta, tb, maxDepth, hits);
-        if (hits.done()) return;
-    }
+    // All of the backward half comes before all of the forward one, with the closest approach to the axis between them.
+    const double closest = -ray.q, slack = hits.margin();
+    constexpr double eps = std::numeric_limits<double>::epsilon();
+    const double unit = (8 + 8 * points_) * eps * reach_;
+    const double base = unit + 8 * eps * (2 * std::abs(ray.vq) + std::abs(ray.oy));
+    if (closest + slack >= hits.lengthMin() * ray.h &&
+        isolateShallow(Branch{ray, -ray.v, false, unit, base}, x, p, ta, tb, maxDepth, hits) && hits.wantsOne())
+        return;
+    if (closest - slack <= hits.lengthMax() * ray.h)
+        isolateShallow(Branch{ray, ray.v, true, unit, base}, x, p, ta, tb, maxDepth, hits);
 }
 
 /// Cuts away what is nearer to the axis than the ray ever comes. At the cut both branches have the same value, so that
@@ -113,31 +119,47 @@ bool PartSolver::clipToReach(const AxialRay& ray, double* x, double* p, double& 
     return true;
 }
 
+struct PartSolver::Excess {
+    static constexpr double lastStep = 0x1p-20;
+    double radius;
+    Derivatives operator()(const CurveSample& c) const { return {c.x - radius, c.dx, c.ddx}; }
+};
+
 /// Where x(t) crosses `radius`.
 double PartSolver::reachAt(double radius) const {
-    const auto excess = [&](const CurveSample& c) { return Derivatives{c.x - radius, c.dx, c.ddx}; };
-    return findRoot(excess, {0, 1, x0_ < radius}, (radius - x0_) / (x1_ - x0_)).t;
+    return findRoot(Excess{radius}, {0, 1, x0_ < radius}, (radius - x0_) / (x1_ - x0_)).t;
 }
 
-void PartSolver::isolateShallow(const Branch& branch, double* x, double* p, double ta, double tb, int depth,
+/// True when a crossing counts.
+bool PartSolver::isolateShallow(const Branch& branch, const double* x, const double* p, double ta, double tb, int depth,
                                 HitCollector& hits) const {
     const int last = points_ - 1;
-    const double valueAtA = branch.value(x[0], p[0]), valueAtB = branch.value(x[last], p[last]);
+    const double s0 = branch.ray.halfWidth(x[0]), s1 = branch.ray.halfWidth(x[last]);
+    const double sa = x[0] > x[last] ? s1 : s0, sb = x[0] > x[last] ? s0 : s1;
+    const double valueAtA = p[0] - branch.w * s0, valueAtB = p[last] - branch.w * s1;
     const bool changes = (valueAtA < 0) != (valueAtB < 0);
-    const auto [low, high] = branch.enclose(x, p, points_);
-    if (!changes && (low > 0 || high < 0)) return;
-    const bool isNoise = std::max(-low, high) <= std::max(branch.noise(x[0], p[0]), branch.noise(x[last], p[last]));
-    if (depth == 0 || isNoise || branch.isMonotone(x, p, points_)) {
-        const double secant = ta + (tb - ta) * (valueAtA / (valueAtA - valueAtB));
-        if (changes) offerRoot(branch, {ta, tb, valueAtA < 0}, secant, hits);
-        return;
+    const auto enclosed = [&] { return branch.enclose(x, p, points_, sa, sb); };
+    if (!changes) {
+        const auto [low, high] = enclosed();
+        if (low > 0 || high < 0) return false;
     }
-    double leftX[maxPoints], leftP[maxPoints];
-    bernstein::halve(x, leftX, points_);
-    bernstein::halve(p, leftP, points_);
+    const auto isNoise = [&] {
+        const auto [low, high] = enclosed();
+        return std::max(-low, high) <= std::max(branch.noise(x[0], s0), branch.noise(x[last], s1));
+    };
+    if (depth == 0 || branch.isMonotone(x, p, points_, sa, sb) || isNoise()) {
+        const double secant = ta + (tb - ta) * (valueAtA / (valueAtA - valueAtB));
+        return changes && offerRoot(branch, {ta, tb, valueAtA < 0}, secant, hits);
+    }
+    double leftX[maxPoints], leftP[maxPoints], rightX[maxPoints], rightP[maxPoints];
+    std::copy_n(x, points_, rightX);
+    std::copy_n(p, points_, rightP);
+    bernstein::halve(rightX, leftX, points_);
+    bernstein::halve(rightP, leftP, points_);
     const double tm = (ta + tb) / 2;
-    isolateShallow(branch, leftX, leftP, ta, tm, depth - 1, hits);
-    isolateShallow(branch, x, p, tm, tb, depth - 1, hits);
+    const bool inLeft = isolateShallow(branch, leftX, leftP, ta, tm, depth - 1, hits);
+    if (inLeft && hits.done()) return true;
+    return isolateShallow(branch, rightX, rightP, tm, tb, depth - 1, hits) || inLeft;
 }
 
 } // namespace vitrine

@@ -7,6 +7,8 @@
 namespace vitrine {
 
 struct PartSolver::Quadratic {
+    static constexpr double lastStep = 0x1p-20;
+
     const AxialRay& ray;
     const PartSolver& part;
     double v2, h2, linear, constant;
@@ -73,21 +75,33 @@ void PartSolver::solveSteep(HitCollector& hits) const {
     solveSeveral(f, variations, hits);
 }
 
-/// A place where F's sign differs from that at the ends, if one of three that it is likely at serves: the middle, the
-/// vertex of the parabola, and where the ray has the profile's height as it is closest to the axis (P = 0), between its
-/// two sides; there F is negative if the profile is farther from the axis than the ray ever comes.
+/// A place where F's sign differs from that at the ends, and F there.
+struct PartSolver::Dip {
+    double t, y;
+    Derivatives at{}; ///< all 0 at the middle, about which the parabola of the whole part is as good
+
+    /// Where F's own parabola there has its root before or after.
+    double guess(bool before) const {
+        const double reach = safeSqrt(at.d1 * at.d1 - 2 * at.f * at.d2) / std::abs(at.d2);
+        return t - at.d1 / at.d2 + (before ? -reach : reach);
+    }
+};
+
+/// Tries three places where it is likely: the middle, the vertex of the parabola, and where the ray has the profile's
+/// height as it is closest to the axis (P = 0), between its two sides; there F is negative if the profile is farther
+/// from the axis than the ray ever comes.
 std::optional<PartSolver::Dip> PartSolver::findDip(const Quadratic& f) const {
     const bool negative = f.f0 < 0;
     if ((f.fHalf < 0) != negative) return Dip{0.5, yHalf_};
     const double vertex = f.vertex();
     const CurveSample c = curve_.at(vertex);
-    if ((f[c] < 0) != negative) return Dip{vertex, c.y};
+    if ((f[c] < 0) != negative) return Dip{vertex, c.y, f(c)};
     const double pa = f.ray.P(y0_), pb = f.ray.P(y1_);
     if (negative || (pa < 0) == (pb < 0)) return std::nullopt;
     double t = pa / (pa - pb);
     for (int i = 0; i < 3; ++i) {
         const CurveSample d = curve_.at(t);
-        if (f[d] < 0) return Dip{t, d.y};
+        if (f[d] < 0) return Dip{t, d.y, f(d)};
         t -= f.ray.P(d.y) / (f.ray.h * d.dy);
         if (!(t > 0 && t < 1)) break;
     }
@@ -102,8 +116,8 @@ void PartSolver::solveSeveral(const Quadratic& f, int variations, HitCollector& 
         if (const std::optional<Dip> dip = findDip(f)) {
             const auto solveHalf = [&](bool first) {
                 if (hits.settles(first ? y0_ : dip->y, first ? dip->y : y1_)) return true;
-                return offerRoot(f, first ? Bracket{0, dip->t, negative} : Bracket{dip->t, 1, !negative},
-                                 f.guess(negative == first), hits);
+                const double guess = dip->at.f != 0 ? dip->guess(first) : f.guess(negative == first);
+                return offerRoot(f, first ? Bracket{0, dip->t, negative} : Bracket{dip->t, 1, !negative}, guess, hits);
             };
             if (!(solveHalf(inOrder) && hits.wantsOne())) solveHalf(!inOrder);
             return;

@@ -31,9 +31,9 @@ PartSolver::Root PartSolver::findRoot(const Function& function, Bracket bracket,
         t = next;
         c.x += step * (c.dx + 0.5 * step * c.ddx);
         c.y += step * (c.dy + 0.5 * step * c.ddy);
-        // What a step of Halley's leaves is the step times its own square and the square of f f''/f'^2: both are here at
-        // most a rounding or two of the part, and the curve is its parabola.
-        const bool last = halley && std::abs(step) < 0x1p-17 && std::abs(bend) < 0x1p-17 * slope2;
+        // What a step of Halley's leaves is the step times the square of f f''/f'^2, and times its own square and the
+        // third derivative over 6 f': both are below a rounding of the parameter, and the curve is its parabola.
+        const bool last = halley && std::abs(step) < Function::lastStep && std::abs(bend) < 0x1p-17 * slope2;
         if (last || std::abs(step) <= 0x1p-51) break;
     }
     return {t, c.x, c.y};

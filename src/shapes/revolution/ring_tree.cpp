@@ -89,8 +89,8 @@ struct RingTree::Builder {
             Node& n = tree.nodes_[node];
             n.rMin[i] = run.ring.rMin;
             n.rMax[i] = run.ring.rMax;
-            n.yMin[i] = run.ring.yMin;
-            n.yMax[i] = run.ring.yMax;
+            n.y[0][i] = run.ring.yMin;
+            n.y[1][i] = run.ring.yMax;
             n.child[i] = child;
             n.used |= 1u << i;
         }

@@ -37,9 +37,9 @@ class RingTree {
     static constexpr int maxDepth = 62;
 
     struct Node {
-        Lanes rMin, rMax, yMin, yMax;
-        std::int32_t child[4]; ///< negative: ~leaf
-        unsigned used;         ///< mask of the children there are
+        Lanes rMin, rMax, y[2]; ///< y: lowest, highest
+        std::int32_t child[4];  ///< negative: ~leaf
+        unsigned used;          ///< mask of the children there are
     };
     struct Group {
         unsigned root, first, count; ///< leaves below
@@ -52,36 +52,47 @@ class RingTree {
     std::vector<Group> groups_;
 };
 
-/// The ray beside rings, with all rounding put into one margin.
+/// The ray beside rings, with all rounding put into one margin. Written so that few operations wait for one another.
 class RingTree::Test {
   public:
-    explicit Test(const HitCollector& hits) : hits_(hits), ray_(hits.ray()), margin_(hits.margin()) {
-        eLow2_ = sqr(std::max(0., ray_.e - margin_));
-        eHigh2_ = sqr(ray_.e + margin_);
+    explicit Test(const HitCollector& hits) : hits_(hits) {
+        const AxialRay& ray = hits.ray();
+        const double margin = hits.margin();
+        enter_ = ray.inverseV < 0;
+        slope_ = ray.inverseV;
+        const double slack = margin * std::abs(ray.inverseV);
+        enterOffset_ = -ray.oy * ray.inverseV - slack;
+        leaveOffset_ = -ray.oy * ray.inverseV + slack;
+        h_ = ray.h;
+        qLow_ = ray.q - margin;
+        qHigh_ = ray.q + margin;
+        eLow2_ = sqr(std::max(0., ray.e - margin));
+        eHigh2_ = sqr(ray.e + margin);
     }
 
     /// Which children may be met, and from what length on.
     unsigned met(const Node& node, Lanes& from) const {
-        const Lanes a = (node.yMin - broadcast(ray_.oy + margin_)) * broadcast(ray_.inverseV);
-        const Lanes b = (node.yMax - broadcast(ray_.oy - margin_)) * broadcast(ray_.inverseV);
-        const Lanes lo = greater(lesser(a, b), broadcast(hits_.lengthMin() - margin_));
-        const Lanes hi = lesser(greater(a, b), broadcast(hits_.lengthMax() + margin_));
+        const Lanes slope = broadcast(slope_), h = broadcast(h_), margin = broadcast(hits_.margin()), zero{};
+        const Lanes enter = fusedMultiplyAdd(node.y[enter_], slope, broadcast(enterOffset_));
+        const Lanes leave = fusedMultiplyAdd(node.y[1 - enter_], slope, broadcast(leaveOffset_));
+        const Lanes lo = greater(enter, broadcast(hits_.lengthMin() - hits_.margin()));
+        const Lanes hi = lesser(leave, broadcast(hits_.lengthMax() + hits_.margin()));
         // r^2 = e^2 + g^2 is convex along the ray.
-        const Lanes ga = broadcast(ray_.q) + broadcast(ray_.h) * lo, gb = broadcast(ray_.q) + broadcast(ray_.h) * hi;
-        const Lanes margin = broadcast(margin_), zero{};
-        const Lanes near = greater(greater(ga, -gb) - margin, zero), far = greater(-ga, gb) + margin;
+        const Lanes ga = fusedMultiplyAdd(lo, h, broadcast(qLow_)), gb = fusedMultiplyAdd(hi, h, broadcast(qHigh_));
+        const Lanes near = greater(greater(ga, -gb), zero), far = greater(-ga, gb);
         const Lanes outer = node.rMax + margin, inner = greater(node.rMin - margin, zero);
         from = lo;
-        const unsigned missed = lessMask(hi, lo) | lessMask(outer * outer, near * near + broadcast(eLow2_)) |
-                                lessMask(far * far + broadcast(eHigh2_), inner * inner);
+        const unsigned missed = lessMask(hi, lo) |
+                                lessMask(outer * outer, fusedMultiplyAdd(near, near, broadcast(eLow2_))) |
+                                lessMask(fusedMultiplyAdd(far, far, broadcast(eHigh2_)), inner * inner);
         return node.used & ~missed;
     }
-    bool isTooFar(double from) const { return from > hits_.lengthMax() + margin_; }
+    bool isTooFar(double from) const { return from > hits_.lengthMax() + hits_.margin(); }
 
   private:
     const HitCollector& hits_;
-    const AxialRay& ray_;
-    double margin_, eLow2_, eHigh2_;
+    int enter_; ///< whether a ray comes from above
+    double slope_, enterOffset_, leaveOffset_, h_, qLow_, qHigh_, eLow2_, eHigh2_;
 };
 
 template <class Visit>

@@ -254,6 +254,22 @@ TEST(Revolution, BoundsHoldEveryPoint) {
     }
 }
 
+/// Next to the closest approach the branches of the hyperbola bend sharply: a step that looks like the last may not be.
+TEST(Revolution, NearlyHorizontalRayThatAllButTouchesIsMetExactly) {
+    const std::vector<V2d> profile{{0.32072562123020149, 0.045378254765203963},
+                                   {0, 0.71181637172692813},
+                                   {0.29999999999999999, 0.12243975810903707},
+                                   {0.32072562123020149, 0.045378254765203963}};
+    const Ray ray{V3d(-0.27641405832668969, 0.085993848404613771, 0.13990212996916174),
+                  V3d(-0.22451915904748923, -0.00030886091944547559, -0.97446962591223985)};
+    const auto hits = make(profile, 1).allHits(ray, 1e-6, 0.09);
+    ASSERT_EQ(hits.size(), 1u);
+    const V3d p = ray.at(hits[0].s);
+    const double t = 3 * hits[0].v;
+    EXPECT_NEAR(p.y, lerp(t, profile[0].y, profile[1].y), 1e-15);
+    EXPECT_NEAR(std::hypot(p.x, p.z), lerp(t, profile[0].x, profile[1].x), 1e-15);
+}
+
 TEST(Revolution, PiecesFarApartHaveBoxesOfTheirOwn) {
     const Revolution goblet = make(joined(gobletProfile()), 3);
     EXPECT_LT(goblet.memoryBytes(), 100000u);
