@@ -47,8 +47,8 @@ BUILDERS = [
     (("camera_builder.cpp", "film_builder.cpp"), ["Camera", "Film", "PixelFilter", "Sampler"]),
     ("integrator_builder.cpp", ["Integrator"]),
 ]
-# Asked for by all shapes; stands in the family's opening sentence instead of each table.
-IN_OPENINGS = {"alpha"}
+# Asked for by all types of a family; stands in its opening sentence instead of each table.
+IN_OPENINGS = {("Shape", "alpha")}
 
 HEADING = re.compile(r'(%s) ("\w+"(?:, "\w+")*)( \([^)]*\))?: (.*)' % "|".join(f for f, _, _ in FAMILIES))
 LOOK_UP = re.compile(r'\b(?:get|find)(?!Builder)[A-Z]\w*(?:<\w+>)?\((?:[\w.]+, )*"(\w+)"|\bemission\((?:[\w.]+, )+"(\w+)"')
@@ -129,7 +129,7 @@ def check_types(family, supported, sections):
 def check_parameters(files, families, sources, sections):
     names = files if isinstance(files, tuple) else (files,)
     text = "\n".join(sources[name] for name in names)
-    asked = {a or b for a, b in LOOK_UP.findall(text)} - IN_OPENINGS
+    asked = {a or b for a, b in LOOK_UP.findall(text)} - {name for family, name in IN_OPENINGS if family in families}
     documented = {p for section in sections if section.family in families for p in section.parameters()}
     where = " and ".join(names)
     return [f'{where}: "{name}" is asked for, but no table of {", ".join(families)} has it'

@@ -14,6 +14,7 @@ namespace vitrine {
 /// |----------|---------|---------|---------------|---------|
 /// | maxdepth | integer | bounces | 5             | scattering events a path may have |
 /// | photonsperiteration | integer |  | -1         | light paths a pass; -1: as many as the picture has pixels. Not in pbrt-v4 |
+/// | seed     | integer |         | the sampler's | other seeds give other noise. Not in pbrt-v4 |
 struct LightTracingSettings {
     int maxDepth = 5;
     std::int64_t pathsPerPass = -1;
