@@ -25,8 +25,19 @@ struct RenderCounters {
     /// Of photon integrators: paths traced from lights, those that left photons, photons kept, points that gathered and
     /// pairs of a point and a photon in its disk.
     std::atomic<std::uint64_t> photonPaths{0}, landedPaths{0}, photons{0}, gatherPoints{0}, gathered{0};
-    std::atomic<std::uint64_t> photonBytes{0};              ///< most that the photons of a pass took
-    std::atomic<float> smallestRadius{0}, largestRadius{0}; ///< of the disks of the last pass; 0: none
+    std::atomic<std::uint64_t> photonBytes{0}; ///< most that the photons of a pass took
+    /// Of the disks so far. Without any: infinity and 0.
+    std::atomic<float> smallestRadius{infinity}, largestRadius{0};
+
+    /// Threads may call this in any order.
+    void countRadius(float radius) {
+        float known = smallestRadius.load(std::memory_order_relaxed);
+        while (radius < known && !smallestRadius.compare_exchange_weak(known, radius, std::memory_order_relaxed)) {
+        }
+        known = largestRadius.load(std::memory_order_relaxed);
+        while (radius > known && !largestRadius.compare_exchange_weak(known, radius, std::memory_order_relaxed)) {
+        }
+    }
 };
 
 /// Belongs to one render: it may keep what it needs from pass to pass.

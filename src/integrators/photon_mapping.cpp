@@ -162,6 +162,12 @@ void PhotonMappingIntegrator::gather(const World& world, Gathering& g, const Pho
         }
         if (settings_.rule == RadiusRule::PerPoint) radii_[eye.pathIndex].found(found, settings_.alpha);
     }
+    if (!g.disks.empty()) {
+        const auto smaller = [](const GatherDisk& a, const GatherDisk& b) { return a.radius < b.radius; };
+        const auto [smallest, largest] = std::minmax_element(g.disks.begin(), g.disks.end(), smaller);
+        counters.countRadius(smallest->radius);
+        counters.countRadius(largest->radius);
+    }
     counters.gatherPoints.fetch_add(g.points.size(), std::memory_order_relaxed);
     counters.gathered.fetch_add(g.near.size(), std::memory_order_relaxed);
     counters.lostExits.fetch_add(g.lostExits, std::memory_order_relaxed);
