@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "console.h"
 #include "film/imageio.h"
 #include "film/primaries.h"
 #include "film/tonemap.h"
@@ -23,6 +24,9 @@ void convert(const ConvertArguments& a) {
     const Image colours = inRec709(read, metadata.chromaticities);
     metadata.channelNames.clear();
     std::fill(std::begin(metadata.chromaticities), std::end(metadata.chromaticities), 0.f);
+    const auto bad =
+        std::count_if(colours.pixels.begin(), colours.pixels.end(), [](float v) { return !std::isfinite(v); });
+    if (bad > 0) tellLine("vitrine: warning: {}: {} values are not finite", a.input, bad);
     writeImage(a.output, toneMapped(colours, a.exposure, toneMap), metadata);
 }
 

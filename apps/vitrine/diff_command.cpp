@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "console.h"
 #include "film/compare.h"
 #include "film/imageio.h"
 #include "film/primaries.h"
@@ -27,21 +28,31 @@ ColourPicture readPicture(const std::string& path) {
     return {inRec709(colours, metadata.chromaticities), metadata.offset};
 }
 
+/// Pixels that are no number have no error: without them a broken picture would look good.
+bool isComparable(const Comparison& c) {
+    return c.badPixelsA == 0 && c.badPixelsB == 0;
+}
+
 std::string asText(const Comparison& c) {
-    return fmt::format("relMSE      {:.6g}\n"
+    const std::string relMse = isComparable(c) ? fmt::format("{:.6g}", c.relMse)
+                                               : fmt::format("none: not all pixels are finite ({:.6g} over those that "
+                                                             "are in both)",
+                                                             c.relMse);
+    return fmt::format("relMSE      {}\n"
                        "PSNR        {:.2f} dB (peak {:.6g})\n"
                        "SSIM        {}\n"
                        "mean ratio  {:.6f}\n"
                        "pixels      {} compared; not finite: {} in the image, {} in the reference\n",
-                       c.relMse, c.psnr, c.peak,
-                       c.ssim ? fmt::format("{:.6f}", *c.ssim) : "none (under 11 x 11 pixels)",
+                       relMse, c.psnr, c.peak, c.ssim ? fmt::format("{:.6f}", *c.ssim) : "none (under 11 x 11 pixels)",
                        fmt::join(c.meanRatio, " "), c.pixels, c.badPixelsA, c.badPixelsB);
 }
 
-/// Infinities (the PSNR of equal pictures) become null, as JSON has no other word for them.
+/// Infinities (the PSNR of equal pictures) become null, as JSON has no other word for them; so does a relMSE that does
+/// not speak for the whole picture.
 std::string asJson(const Comparison& c) {
     nlohmann::ordered_json json;
-    json["relMSE"] = c.relMse;
+    json["relMSE"] = isComparable(c) ? nlohmann::ordered_json(c.relMse) : nlohmann::ordered_json(nullptr);
+    json["relMSEOfFinite"] = c.relMse;
     json["MSE"] = c.mse;
     json["PSNR"] = c.psnr;
     json["peak"] = c.peak;
@@ -63,7 +74,10 @@ void diff(const DiffArguments& a) {
 
     const Comparison comparison = compareImages(image.image, reference.image, a.variance.empty() ? nullptr : &variance);
     if (!a.heatMap.empty()) writeImage(a.heatMap, heatMap(image.image, reference.image));
-    fmt::print("{}", a.json ? asJson(comparison) : asText(comparison));
+    printOut(a.json ? asJson(comparison) : asText(comparison));
+    if (!isComparable(comparison))
+        tellLine("vitrine: warning: the pictures are not comparable: {} pixels of {} and {} of {} are not finite",
+                 comparison.badPixelsA, a.image, comparison.badPixelsB, a.reference);
 }
 
 } // namespace

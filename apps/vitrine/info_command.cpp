@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "console.h"
 #include "core/errors.h"
 #include "scene/scene.h"
 
@@ -22,24 +23,25 @@ std::string box(const Box3d& b) {
                        b.max.z);
 }
 
-void printText(const Scene& s) {
+std::string asText(const Scene& s) {
     const V2i crop = s.film.cropSize();
-    fmt::print("scene       {}\n", s.name);
-    fmt::print("shapes      {} ({} primitives)\n", counted(s.shapeTypes), s.primitives);
-    if (s.instances) fmt::print("instances   {}\n", s.instances);
-    fmt::print("materials   {}\n", counted(s.materialTypes));
-    fmt::print("lights      {}\n", counted(s.lightTypes));
-    fmt::print("bounds      {}\n", box(s.world.caster->bounds()));
-    fmt::print("camera      {}\n", s.cameraType);
-    fmt::print("film        {} x {}", s.film.resolution.x, s.film.resolution.y);
-    if (crop != s.film.resolution) fmt::print(", cropped to {} x {}", crop.x, crop.y);
-    fmt::print(" -> {}\n", s.outputFile);
-    fmt::print("integrator  {}, {} samples a pixel, sampler {}\n", s.integratorType, s.samplesPerPixel, s.samplerType);
-    fmt::print("memory      {:.1f} MB ray casting, {:.1f} MB film\n", double(s.world.caster->memoryBytes()) / 1e6,
-               double(crop.x) * crop.y * double(Film::bytesPerPixel) / 1e6);
+    const auto line = [](const char* name, const std::string& text) { return fmt::format("{:<12}{}\n", name, text); };
+    std::string film = fmt::format("{} x {}", s.film.resolution.x, s.film.resolution.y);
+    if (crop != s.film.resolution) film += fmt::format(", cropped to {} x {}", crop.x, crop.y);
+    return line("scene", s.name) +
+           line("shapes", fmt::format("{} ({} primitives)", counted(s.shapeTypes), s.primitives)) +
+           (s.instances ? line("instances", fmt::format("{}", s.instances)) : "") +
+           line("materials", counted(s.materialTypes)) + line("lights", counted(s.lightTypes)) +
+           line("bounds", box(s.world.caster->bounds())) + line("camera", s.cameraType) +
+           line("film", film + " -> " + s.outputFile) +
+           line("integrator",
+                fmt::format("{}, {} samples a pixel, sampler {}", s.integratorType, s.samplesPerPixel, s.samplerType)) +
+           line("memory",
+                fmt::format("{:.1f} MB ray casting, {:.1f} MB film", double(s.world.caster->memoryBytes()) / 1e6,
+                            double(crop.x) * crop.y * double(Film::bytesPerPixel) / 1e6));
 }
 
-void printJson(const Scene& s) {
+std::string asJson(const Scene& s) {
     const Box3d b = s.world.caster->bounds();
     nlohmann::ordered_json json{{"scene", s.name},
                                 {"shapes", s.shapeTypes},
@@ -56,7 +58,7 @@ void printJson(const Scene& s) {
                                 {"casterBytes", s.world.caster->memoryBytes()},
                                 {"files", s.files}};
     if (!b.isEmpty()) json["bounds"] = {{b.min.x, b.min.y, b.min.z}, {b.max.x, b.max.y, b.max.z}};
-    fmt::print("{}\n", json.dump(2));
+    return json.dump(2) + "\n";
 }
 
 } // namespace
@@ -70,10 +72,7 @@ void registerInfo(CLI::App& app) {
     command->callback([file, json] {
         const Scene scene = loadScene(*file);
         for (const auto& warning : scene.warnings)
-            fmt::print(stderr, "{}\n", warning.toString());
-        if (*json)
-            printJson(scene);
-        else
-            printText(scene);
+            tellLine("{}", warning.toString());
+        printOut(*json ? asJson(scene) : asText(scene));
     });
 }

@@ -3,19 +3,21 @@
 // Exit codes: 0 done; 1 the scene or an argument is wrong; 2 could not read or write; 3 stopped by a signal, what was
 // computed is saved; 4 out of memory or an internal fault.
 #include "commands.h"
+#include "console.h"
 #include "core/errors.h"
 
 #include <fmt/format.h>
 
 #include <csignal>
 #include <new>
+#include <sstream>
 
 namespace {
 
 enum ExitCode { done = 0, wrongInput = 1, fileTrouble = 2, outOfMemoryOrFault = 4 };
 
 int fail(ExitCode code, const std::string& message) {
-    fmt::print(stderr, "{}\n", message);
+    tellLine("{}", message);
     return code;
 }
 
@@ -37,17 +39,16 @@ int explain(const CLI::App& app, const CLI::ParseError& error) {
     const CLI::App& command = chosen.empty() ? app : *chosen.front();
     const std::vector<std::string> unknown = command.remaining();
     if (unknown.empty()) {
-        fmt::print(stderr, "vitrine: {}\n", error.what());
+        tellLine("vitrine: {}", error.what());
     } else {
         const bool isCommand = chosen.empty() && !unknown.front().starts_with("-");
-        fmt::print(stderr, "vitrine: unknown {} \"{}\"\n", isCommand ? "command" : "argument", unknown.front());
-        if (const std::string hint = meant(app, command, unknown.front()); !hint.empty())
-            fmt::print(stderr, "    {}\n", hint);
+        tellLine("vitrine: unknown {} \"{}\"", isCommand ? "command" : "argument", unknown.front());
+        if (const std::string hint = meant(app, command, unknown.front()); !hint.empty()) tellLine("    {}", hint);
     }
     if (chosen.empty())
-        fmt::print(stderr, "Run \"vitrine --help\" for the commands.\n");
+        tellLine("Run \"vitrine --help\" for the commands.");
     else
-        fmt::print(stderr, "Run \"vitrine {} --help\" for its arguments.\n", command.get_name());
+        tellLine("Run \"vitrine {} --help\" for its arguments.", command.get_name());
     return wrongInput;
 }
 
@@ -79,9 +80,12 @@ int run(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
         // Help and version are no errors; everything else that CLI11 finds is a wrong argument.
-        if (e.get_exit_code() == 0) return app.exit(e);
-        return explain(app, e);
+        if (e.get_exit_code() != 0) return explain(app, e);
+        std::ostringstream text;
+        app.exit(e, text);
+        printOut(text.str());
     }
+    flushOutput();
     return exitCode;
 }
 
@@ -90,6 +94,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     // Writing past a limit on file sizes shall fail with a message, not kill.
     std::signal(SIGXFSZ, SIG_IGN);
+    guardStandardStreams();
     try {
         return run(argc, argv);
     } catch (const vitrine::SceneError& e) {

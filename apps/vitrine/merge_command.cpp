@@ -14,6 +14,11 @@ LoadedPartial mergeParts(const std::vector<std::string>& files) {
     LoadedPartial sum = readPartial(files.front());
     for (std::size_t i = 1; i < files.size(); ++i) {
         const LoadedPartial part = readPartial(files[i]);
+        if (!sum.state.integratorState.empty() || !part.state.integratorState.empty())
+            throw std::invalid_argument(
+                fmt::format("{} cannot be merged: each of its passes builds on those before it. Go on with it by "
+                            "--resume --checkpoint",
+                            sum.state.integratorState.empty() ? files[i] : files.front()));
         if (part.state.fingerprint != sum.state.fingerprint)
             throw std::invalid_argument(
                 fmt::format("{} and {} are of different scenes or settings", files.front(), files[i]));

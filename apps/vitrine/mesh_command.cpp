@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "console.h"
 #include "core/errors.h"
 #include "core/replace_file.h"
 #include "nodes/scene_writer.h"
@@ -68,7 +69,7 @@ void mesh(const MeshArguments& a) {
     checkArguments(a);
     const PlainScene scene = makePlainScene(a.scene, a.options);
     for (const auto& warning : scene.warnings)
-        fmt::print(stderr, "{}\n", warning.toString());
+        tellLine("{}", warning.toString());
 
     const fs::path folder(a.folder), text = folder / textName(a.scene);
     refuseOverwriting(scene, folder, text);
@@ -77,15 +78,16 @@ void mesh(const MeshArguments& a) {
     if (!scene.copies.empty()) makeFolder(folder / "resources");
     for (const auto& copy : scene.copies)
         copyFile(copy.from, folder / copy.to);
+    std::string report;
     for (const auto& each : scene.meshes) {
         writePly((folder / each.fileName).string(), each.make(),
                  fmt::format("surface of revolution within {:g} by vitrine " VITRINE_VERSION, each.tolerance));
-        fmt::print("{}: {} triangles, within {:g}\n", each.fileName, each.triangles, each.tolerance);
+        report += fmt::format("{}: {} triangles, within {:g}\n", each.fileName, each.triangles, each.tolerance);
     }
     const std::string plain = writeScene(scene.nodes, {fmt::format("{} in plain pbrt-v4, written by vitrine mesh.",
                                                                    fs::path(a.scene).filename().string())});
     replaceFile(text.string(), {std::as_bytes(std::span(plain))});
-    fmt::print("{}\n", text.string());
+    printOut(report + text.string() + "\n");
 }
 
 } // namespace

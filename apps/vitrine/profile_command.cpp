@@ -1,5 +1,6 @@
 #include "arguments.h"
 #include "commands.h"
+#include "console.h"
 #include "core/replace_file.h"
 #include "plot/png_writer.h"
 #include "plot/svg_writer.h"
@@ -81,7 +82,7 @@ void drawProfiles(ProfileArguments a) {
         throw std::invalid_argument("--set says where the axis is in an SVG file: a scene says so itself");
     const FoundProfiles found = isSvg ? profilesOfSvg(a.file, a.settings, ray) : profilesOfScene(a.file, ray);
     for (const Diagnostic& warning : found.warnings)
-        fmt::print(stderr, "{}\n", warning.toString());
+        tellLine("{}", warning.toString());
     const std::vector<FoundProfile> profiles = chosen(found.profiles, a.only);
     if (profiles.empty())
         throw std::invalid_argument(fmt::format(

@@ -1,10 +1,11 @@
 #include "progress.h"
 
+#include "console.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -62,8 +63,7 @@ void ProgressReport::bar(const vitrine::SessionProgress& p) {
     const int room = std::clamp(terminalWidth() - int(text.size()) - 4, 0, 40);
     const int filled = int(std::floor(p.fraction * room));
     if (room >= 5) text = fmt::format("[{:=<{}}{:{}}]{}", "", filled, "", room - filled, text);
-    fmt::print(stderr, "\r{}\x1b[K", text);
-    std::fflush(stderr);
+    tell(fmt::format("\r{}\x1b[K", text));
     lineOpen_ = true;
 }
 
@@ -72,11 +72,10 @@ void ProgressReport::json(const vitrine::SessionProgress& p) const {
         {"fraction", p.fraction}, {"passes", p.passesDone}, {"samples", p.samples}, {"elapsed", p.seconds}};
     if (const double left = timeLeft(p, spentBefore_); left >= 0) line["eta"] = left;
     if (std::isfinite(p.error)) line["relMSE"] = p.error;
-    fmt::print(stderr, "{}\n", line.dump());
-    std::fflush(stderr);
+    tellLine("{}", line.dump());
 }
 
 void ProgressReport::finish() {
-    if (lineOpen_) fmt::print(stderr, "\n");
+    if (lineOpen_) tell("\n");
     lineOpen_ = false;
 }

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <filesystem>
+#include <optional>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <system_error>
@@ -98,27 +99,28 @@ OutputFile createBeside(const std::string& path, const fs::path& target) {
     }
 }
 
-} // namespace
-
-void replaceFile(const std::string& path, std::initializer_list<std::span<const std::byte>> pieces) {
+/// Where the new file goes, links followed; nothing for what is written to as it is.
+std::optional<fs::path> regularTarget(const std::string& path) {
     std::error_code ignored;
     const fs::file_status status = fs::status(path, ignored);
     if (fs::is_directory(status)) fail(path, EISDIR);
     if (fs::exists(status) && ::access(path.c_str(), W_OK) != 0) fail(path, errno);
+    if (fs::exists(status) && !fs::is_regular_file(status)) return {};
+    return fs::exists(status) ? fs::canonical(path) : fs::path(path);
+}
 
-    if (fs::exists(status) && !fs::is_regular_file(status)) {
-        OutputFile file(::open(path.c_str(), O_WRONLY | O_CLOEXEC), {});
-        int error = file.fill(pieces);
-        if (error == 0) error = file.close();
-        if (error != 0) fail(path, error);
-        return;
-    }
+} // namespace
 
-    const fs::path target = fs::exists(status) ? fs::canonical(path) : fs::path(path);
-    OutputFile file = createBeside(path, target);
+void replaceFile(const std::string& path, std::initializer_list<std::span<const std::byte>> pieces) {
+    const auto target = regularTarget(path);
+    OutputFile file = target ? createBeside(path, *target) : OutputFile(::open(path.c_str(), O_WRONLY | O_CLOEXEC), {});
     int error = file.fill(pieces);
-    if (error == 0) error = file.keepAs(target.string());
+    if (error == 0) error = target ? file.keepAs(target->string()) : file.close();
     if (error != 0) fail(path, error);
+}
+
+void checkReplaceable(const std::string& path) {
+    if (const auto target = regularTarget(path)) createBeside(path, *target); // and removed again
 }
 
 } // namespace vitrine

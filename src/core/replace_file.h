@@ -12,4 +12,7 @@ namespace vitrine {
 /// links are followed; what exists and is no regular file (a pipe, a device) is written to as it is. \throws FileError
 void replaceFile(const std::string& path, std::initializer_list<std::span<const std::byte>> pieces);
 
+/// Finds out whether replaceFile() could begin: a name, rights and a folder that takes files. \throws FileError
+void checkReplaceable(const std::string& path);
+
 } // namespace vitrine

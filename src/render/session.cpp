@@ -1,5 +1,6 @@
 #include "render/session.h"
 
+#include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
@@ -56,8 +57,34 @@ std::uint64_t chunkSize(std::uint64_t doneHere, double seconds, double timeLimit
 
 } // namespace
 
+void Session::refuseGaps(const PassRange& passes) const {
+    if (integrator_.passesAreIndependent()) return;
+    const auto& done = state_.passes.ranges();
+    const bool fromStart = done.empty() || (done.size() == 1 && done.front().begin == 0);
+    if (!fromStart || passes.begin > state_.passes.size())
+        throw std::invalid_argument(fmt::format(
+            "passes {}:{} cannot be rendered on their own: with these settings each pass builds on those before it, "
+            "and "
+            "{}",
+            passes.begin, passes.end,
+            done.empty() ? "there are none" : fmt::format("the checkpoint holds {}", state_.passes.toString())));
+}
+
+std::optional<FileError> Session::saveState(const SessionOptions& options) {
+    state_.integratorState = integrator_.saveState();
+    if (options.checkpointFile.empty()) return {};
+    try {
+        writePartial(options.checkpointFile, state_, film_);
+    } catch (const FileError& e) {
+        return e;
+    }
+    return {};
+}
+
 SessionEnd Session::run(const SessionOptions& options, const std::function<void(const SessionProgress&)>& report,
                         const std::function<bool()>& interrupted) {
+    refuseGaps(options.passes);
+    if (!state_.integratorState.empty()) integrator_.restoreState(state_.integratorState);
     const auto start = Clock::now();
     const double earlier = state_.seconds;
     const V2i size = film_.settings().cropSize();
@@ -67,19 +94,17 @@ SessionEnd Session::run(const SessionOptions& options, const std::function<void(
     for (const auto& range : missing)
         toDo += range.size();
 
-    RenderCounters counters;
     std::atomic<double> error{infinityD};
     const auto progress = [&] {
         SessionProgress p;
         const double seconds = secondsSince(start);
-        p.samples = counters.samples.load(std::memory_order_relaxed);
+        p.samples = counters_.samples.load(std::memory_order_relaxed);
         p.seconds = earlier + seconds;
         const double already = double(options.passes.size() - toDo);
         p.fraction = (already + double(p.samples) / pixels) / double(std::max<std::uint64_t>(1, options.passes.size()));
         if (options.timeLimit > 0) p.fraction = std::max(p.fraction, seconds / options.timeLimit);
         p.fraction = std::min(p.fraction, 0.9999);
         p.passesDone = std::uint64_t(already + double(p.samples) / pixels);
-        p.lostExits = counters.lostExits.load(std::memory_order_relaxed);
         p.error = error.load();
         return p;
     };
@@ -106,7 +131,7 @@ SessionEnd Session::run(const SessionOptions& options, const std::function<void(
                 std::uint64_t n = std::min(chunkSize(doneHere, secondsSince(start), options.timeLimit), range.end - at);
                 // The error is looked at between chunks: never more than as many passes again without a look.
                 if (options.errorLimit > 0) n = std::min(n, std::max<std::uint64_t>(1, doneHere));
-                arena.execute([&] { integrator_.addPasses(world_, {at, at + n}, film_, counters); });
+                arena.execute([&] { integrator_.addPasses(world_, {at, at + n}, film_, counters_); });
                 state_.passes.add({at, at + n});
                 state_.seconds = earlier + secondsSince(start);
                 at += n;
@@ -114,8 +139,7 @@ SessionEnd Session::run(const SessionOptions& options, const std::function<void(
                 if (options.errorLimit > 0) error = film_.estimatedRelMse();
                 if (!options.checkpointFile.empty() &&
                     secondsSince(start) - lastCheckpoint >= options.checkpointInterval) {
-                    state_.integratorState = integrator_.saveState();
-                    writePartial(options.checkpointFile, state_, film_);
+                    if (const auto trouble = saveState(options)) options.checkpointFailed(*trouble);
                     lastCheckpoint = secondsSince(start);
                 }
             }
@@ -125,8 +149,7 @@ SessionEnd Session::run(const SessionOptions& options, const std::function<void(
             }
         }
     }
-    state_.integratorState = integrator_.saveState();
-    if (!options.checkpointFile.empty()) writePartial(options.checkpointFile, state_, film_);
+    saveError_ = saveState(options);
     SessionProgress last = progress();
     last.passesDone = state_.passes.size();
     if (end != SessionEnd::Interrupted) last.fraction = 1;

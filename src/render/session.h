@@ -1,6 +1,7 @@
 // A render under way: passes in chunks, stop rules, checkpoints.
 #pragma once
 
+#include "core/errors.h"
 #include "render/partial.h"
 
 #include <chrono>
@@ -16,6 +17,8 @@ struct SessionOptions {
     int threads = 0;                ///< 0: all
     std::string checkpointFile;     ///< empty: none
     double checkpointInterval = 60; ///< seconds
+    /// Told of a checkpoint on the way that could not be written. The render goes on, and the next one is tried.
+    std::function<void(const FileError&)> checkpointFailed = [](const FileError&) {};
 };
 
 struct SessionProgress {
@@ -23,8 +26,7 @@ struct SessionProgress {
     double seconds = 0;        ///< rendering time, earlier sessions included
     std::uint64_t samples = 0; ///< camera samples this session
     std::uint64_t passesDone = 0;
-    std::uint64_t lostExits = 0; ///< RenderCounters::lostExits, this session
-    double error = infinityD;    ///< estimated relMSE; infinite while unknown or not asked for
+    double error = infinityD; ///< estimated relMSE; infinite while unknown or not asked for
 };
 
 enum class SessionEnd { Done, TimeLimit, ErrorLimit, Interrupted };
@@ -36,15 +38,26 @@ class Session {
         : world_(world), integrator_(integrator), film_(film), state_(state) {}
 
     /// Adds the passes that are missing. `interrupted` is asked between chunks: the chunk under way is finished, so
-    /// the film always holds whole passes. \throws FileError when a checkpoint cannot be written (the film stays valid)
+    /// the film always holds whole passes. \throws std::invalid_argument for passes that cannot be added to the state:
+    /// see Integrator::passesAreIndependent()
     SessionEnd run(const SessionOptions& options, const std::function<void(const SessionProgress&)>& report,
                    const std::function<bool()>& interrupted);
 
+    /// Of the passes of run().
+    const RenderCounters& counters() const { return counters_; }
+    /// Why the state that run() left is not in the checkpoint's file; nothing if it is, or none was asked for.
+    const std::optional<FileError>& saveError() const { return saveError_; }
+
   private:
+    void refuseGaps(const PassRange& passes) const;
+    std::optional<FileError> saveState(const SessionOptions& options);
+
     const World& world_;
     Integrator& integrator_;
     Film& film_;
     PartialRender& state_;
+    RenderCounters counters_;
+    std::optional<FileError> saveError_;
 };
 
 } // namespace vitrine

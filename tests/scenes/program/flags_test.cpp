@@ -95,7 +95,10 @@ TEST_F(Flags, IntegratorReplacesTheTypeAndNamesWhatItDrops) {
                           "                                           ^^^^^^^^^^^^^^\n");
     EXPECT_EQ(readImage(path("dropped.exr")).pixels, (writeScene(), picture()).pixels);
     fail(render("x.exr", {"--integrator", "pth"}), 1, "error: unknown integrator \"pth\"\n    did you mean \"path\"?");
-    fail(render("x.exr", {"--integrator", "sppm"}), 1, "error: integrator \"sppm\" is not yet supported");
+    fail(render("x.exr", {"--integrator", "bdpt"}), 1, "error: integrator \"bdpt\" is not yet supported");
+    // A parameter of the command line must be one of the chosen integrator's.
+    EXPECT_EQ(run(render("x.exr", {"--integrator", "path", "--set", "radius=1"})).exitCode, 1);
+    succeed(render("sppm.exr", {"--integrator", "sppm", "--set", "radius=1"}));
 }
 
 TEST_F(Flags, SeedChangesThePictureButNotItsMean) {
@@ -146,6 +149,59 @@ TEST_F(Flags, PassesAndSppAreTheSame) {
     EXPECT_EQ(picture({"--spp", "5"}).pixels, picture({"--passes", "5"}).pixels);
     EXPECT_EQ(picture({"--spp", "5"}).pixels, picture({"--passes", "0:5"}).pixels);
     EXPECT_EQ(stats({"--passes", "2:5"}).at("passes"), 3);
+}
+
+TEST_F(Flags, StatsOfPhotons) {
+    const Json photons =
+        stats({"--integrator", "sppm", "--spp", "3", "--set", "photonsperiteration=500"}).at("photons");
+    EXPECT_EQ(photons.at("paths"), 3 * 500);
+    EXPECT_GT(photons.at("pathsPerSecond"), 0);
+    EXPECT_GT(photons.at("landedShare"), 0);
+    EXPECT_LE(photons.at("landedShare"), 1);
+    EXPECT_GT(photons.at("gatherPoints"), 0);
+    EXPECT_GE(photons.at("foundPerPoint"), 0);
+    EXPECT_GT(photons.at("bytes"), 0);
+    EXPECT_GT(photons.at("smallestRadius"), 0);
+    EXPECT_LT(photons.at("smallestRadius"), photons.at("largestRadius"));
+    EXPECT_EQ(stats({"--integrator", "lightpath", "--set", "photonsperiteration=500"}).at("photons").at("paths"),
+              4 * 500);
+    EXPECT_FALSE(stats({}).contains("photons"));
+}
+
+TEST_F(Flags, PhotonsThatNobodySeesAreTold) {
+    // The lamp is in a closed box behind the camera.
+    write("scene.pbrt", "Film \"rgb\" \"integer xresolution\" 8 \"integer yresolution\" 8\n"
+                        "Integrator \"sppm\" \"integer photonsperiteration\" 1000\nWorldBegin\n"
+                        "Shape \"plane\" \"normal n\" [ 0 0 1 ] \"float d\" 5\n"
+                        "LightSource \"point\" \"point3 from\" [ 0 0 -11 ]\n"
+                        "Shape \"box\" \"point3 pmin\" [ -1 -1 -12 ] \"point3 pmax\" [ 1 1 -10 ]\n");
+    const ProgramResult result = run({"render", "scene.pbrt", "--spp", "2", "-o", "dark.exr"});
+    EXPECT_EQ(result.exitCode, 0) << result.describe();
+    EXPECT_EQ(result.err.find("vitrine: warning: photons never reach what the camera sees: of "), 0u) << result.err;
+}
+
+TEST_F(Flags, PhotonIntegratorsSayWhatTheyNeed) {
+    write("scene.pbrt", "Integrator \"sppm\"\nWorldBegin\nShape \"sphere\"\n");
+    fail({"info", "scene.pbrt"}, 1,
+         "scene.pbrt:1:12: error: photon mapping needs a light: this scene has none\n"
+         "    Integrator \"sppm\"\n               ^^^^^^");
+    fail({"render", "scene.pbrt", "--integrator", "ppm"}, 1,
+         "error: --integrator ppm: photon mapping needs a light: this scene has none");
+}
+
+TEST_F(Flags, PhotonIntegratorsHaveASeedOfTheirOwn) {
+    const Arguments sppm{"--integrator", "sppm", "--spp", "2"};
+    const auto with = [&](const Arguments& more) {
+        Arguments all = sppm;
+        all.insert(all.end(), more.begin(), more.end());
+        return picture(all).pixels;
+    };
+    const auto plain = with({});
+    const auto seven = with({"--seed", "7"});
+    EXPECT_NE(plain, seven);
+    writeScene("Integrator \"sppm\" \"integer maxdepth\" 8 \"integer seed\" 7\n");
+    EXPECT_EQ(with({}), seven);
+    EXPECT_EQ(with({"--seed", "0"}), plain) << "the command line comes first";
 }
 
 TEST_F(Flags, StatsAreTrue) {

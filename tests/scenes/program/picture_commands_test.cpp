@@ -109,6 +109,28 @@ TEST_F(PictureCommands, DiffTakesVarianceAndWritesAHeatMap) {
     EXPECT_EQ(heat.at(15, 15, 2), 0);
 }
 
+TEST_F(PictureCommands, ValuesThatAreNotFiniteAreTold) {
+    Image broken = readImage(folder.file("dark.exr"));
+    for (int i = 0; i < 12; ++i)
+        broken.pixels[std::size_t(i)] = std::nanf("");
+    writeImage(folder.file("broken.exr"), broken);
+    const std::string dark = folder.file("dark.exr"), nan = folder.file("broken.exr"), png = folder.file("a.png");
+    const std::string warning = "vitrine: warning: the pictures are not comparable: 4 pixels of " + nan + " and 0 of " +
+                                dark + " are not finite\n";
+    const ProgramResult text = runVitrine({"diff", nan, dark});
+    EXPECT_EQ(text.exitCode, 0) << text.describe();
+    EXPECT_THAT(text.out, HasSubstr("relMSE      none: not all pixels are finite (0 over those that are in both)\n"));
+    EXPECT_EQ(text.err, warning);
+    const ProgramResult json = runVitrine({"diff", nan, dark, "--json"});
+    EXPECT_TRUE(nlohmann::json::parse(json.out)["relMSE"].is_null());
+    EXPECT_EQ(nlohmann::json::parse(json.out)["relMSEOfFinite"], 0);
+    EXPECT_EQ(json.err, warning);
+    const ProgramResult converted = runVitrine({"convert", nan, png});
+    EXPECT_EQ(converted.exitCode, 0) << converted.describe();
+    EXPECT_EQ(converted.err, "vitrine: warning: " + nan + ": 12 values are not finite\n");
+    EXPECT_EQ(runVitrine({"convert", dark, png}).err, "");
+}
+
 TEST_F(PictureCommands, DiffRefusesPicturesOfDifferentSize) {
     writeImage(folder.file("small.exr"), Image{2, 2, 3, std::vector<float>(12)});
     const ProgramResult result = runVitrine({"diff", folder.file("small.exr"), folder.file("dark.exr")});

@@ -17,7 +17,12 @@ const std::string caustic = source + "/tests/images/references/caustic.pbrt";
 
 struct SceneCase {
     std::string name, file, resolution, spp;
+    std::vector<std::string> flags{};
 };
+
+SceneCase photons(const std::string& name, const std::vector<std::string>& flags) {
+    return {name, caustic, "40x33", "3", flags};
+}
 
 void PrintTo(const SceneCase& c, std::ostream* out) {
     *out << c.name;
@@ -26,16 +31,21 @@ void PrintTo(const SceneCase& c, std::ostream* out) {
 class Threads : public ProgramTest, public testing::WithParamInterface<SceneCase> {};
 
 TEST_P(Threads, GiveTheSameBytes) {
-    const auto& [name, file, resolution, spp] = GetParam();
+    const SceneCase& scene = GetParam();
+    const auto render = [&](const char* flag, const std::string& value, const std::string& output) {
+        Arguments all{"render", scene.file, "--resolution", scene.resolution, "--spp", scene.spp, "-o",
+                      output,   flag,       value};
+        all.insert(all.end(), scene.flags.begin(), scene.flags.end());
+        succeed(all);
+    };
     for (const char* threads : {"1", "2", "3", "7"})
-        succeed({"render", file, "--resolution", resolution, "--spp", spp, "--nthreads", threads, "-o",
-                 fmt::format("{}.exr", threads)});
+        render("--nthreads", threads, fmt::format("{}.exr", threads));
     const std::string one = read("1.exr");
     EXPECT_GT(one.size(), 1000u);
     for (const char* threads : {"2", "3", "7"})
         EXPECT_EQ(read(fmt::format("{}.exr", threads)), one) << threads;
     // The comparison would notice a difference.
-    succeed({"render", file, "--resolution", resolution, "--spp", spp, "--seed", "1", "-o", "seed.exr"});
+    render("--seed", "1", "seed.exr");
     EXPECT_NE(read("seed.exr"), one);
 }
 
@@ -43,6 +53,15 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Threads,
                          testing::Values(SceneCase{"vase", source + "/scenes/vase/vase.pbrt", "94x60", "4"},
                                          SceneCase{"goblet", source + "/scenes/goblet/goblet.pbrt", "64x64", "4"},
                                          SceneCase{"caustic", caustic, "64x64", "8"}),
+                         [](const auto& scene) { return scene.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(Photons, Threads,
+                         testing::Values(photons("sppm", {"--integrator", "sppm"}),
+                                         photons("perpoint", {"--integrator", "sppm", "--set", "radiusrule=perpoint"}),
+                                         photons("ppm", {"--integrator", "ppm"}),
+                                         photons("kdtree", {"--integrator", "ppm", "--set", "lookup=kdtree", "--set",
+                                                            "radiusrule=perpoint"}),
+                                         photons("lightpath", {"--integrator", "lightpath"})),
                          [](const auto& scene) { return scene.param.name; });
 
 class Parts : public ProgramTest {
@@ -56,6 +75,58 @@ class Parts : public ProgramTest {
     }
     void SetUp() override { succeed(with({"--spp", "8", "-o", "whole.exr"})); }
 };
+
+/// Photon mapping: passes are independent with one radius for all, and not with a radius a pixel.
+class PhotonParts : public ProgramTest {
+  protected:
+    Arguments with(const Arguments& more, const char* rule) const {
+        Arguments all{"render",       caustic, "--resolution", "40x33",
+                      "--integrator", "sppm",  "--set",        std::string("radiusrule=") + rule};
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }
+};
+
+TEST_F(PhotonParts, WithOneRadiusMergeInAnyOrder) {
+    const auto render = [&](const Arguments& more) { succeed(with(more, "shared")); };
+    render({"--passes", "8", "-o", "whole.exr"});
+    render({"--passes", "0:1", "--partial", "a.part"});
+    render({"--passes", "1:6", "--partial", "b.part"});
+    render({"--passes", "6:8", "--partial", "c.part"});
+    succeed({"merge", "a.part", "b.part", "c.part", "-o", "abc.exr"});
+    succeed({"merge", "c.part", "a.part", "b.part", "-o", "cab.exr"});
+    EXPECT_EQ(readImage(path("abc.exr")).pixels, readImage(path("whole.exr")).pixels);
+    EXPECT_EQ(read("cab.exr"), read("abc.exr"));
+}
+
+TEST_F(PhotonParts, WithARadiusAPixelGoOnWhereTheyStopped) {
+    const auto render = [&](const Arguments& more) { succeed(with(more, "perpoint")); };
+    render({"--passes", "8", "-o", "whole.exr"});
+    render({"--passes", "3", "-o", "early.exr", "--checkpoint", "state"});
+    render({"--passes", "3:5", "-o", "later.exr", "--checkpoint", "state", "--resume"});
+    render({"--passes", "8", "-o", "late.exr", "--checkpoint", "state", "--resume"});
+    EXPECT_EQ(read("late.exr"), read("whole.exr"));
+    EXPECT_NE(read("later.exr"), read("whole.exr"));
+}
+
+TEST_F(PhotonParts, WithARadiusAPixelCannotStandAlone) {
+    const std::string begin =
+        "vitrine: passes 4:8 cannot be rendered on their own: with these settings each pass builds "
+        "on those before it, and ";
+    fail(with({"--passes", "4:8", "-o", "x.exr"}, "perpoint"), 1, begin + "there are none");
+    fail(with({"--passes", "0:4", "--partial", "x.part"}, "perpoint"), 1,
+         "vitrine: --partial: with these settings each pass builds on those before it, so that parts cannot be merged: "
+         "use --checkpoint");
+    succeed(with({"--passes", "3", "-o", "early.exr", "--checkpoint", "state"}, "perpoint"));
+    fail(with({"--passes", "4:8", "-o", "x.exr", "--checkpoint", "state", "--resume"}, "perpoint"), 1,
+         begin + "the checkpoint holds 0:3");
+    EXPECT_FALSE(exists("x.exr"));
+    fail({"merge", "state", "state", "-o", "x.exr"}, 1,
+         "vitrine: state cannot be merged: each of its passes builds on those before it. Go on with it by --resume "
+         "--checkpoint");
+    succeed({"merge", "state", "-o", "x.exr"}); // a picture of the passes so far
+    EXPECT_EQ(readImage(path("x.exr")).pixels, readImage(path("early.exr")).pixels);
+}
 
 TEST_F(Parts, MergeToTheWhole) {
     succeed(with({"--passes", "0:3", "--partial", "a.part"}));
@@ -160,6 +231,23 @@ TEST_F(Stopped, KilledAndResumedIsTheSame) {
     EXPECT_FALSE(exists("killed.exr"));
     succeed(with({"-o", "killed.exr", "--checkpoint", "state", "--resume"}));
     EXPECT_EQ(read("killed.exr"), uninterrupted());
+}
+
+TEST_F(Stopped, PhotonsWithARadiusAPixelTooWhenKilled) {
+    const Arguments perPoint{"-o",           "killed.exr", "--integrator", "sppm", "--set", "radiusrule=perpoint",
+                             "--checkpoint", "state",      "--resume"};
+    Arguments often = perPoint;
+    often.insert(often.end(), {"--checkpoint-every", "0"});
+    auto program = start(often);
+    waitFor(*program, "state");
+    program->send(SIGKILL);
+    const ProgramResult killed = program->wait();
+    ASSERT_EQ(killed.signal, SIGKILL) << killed.describe();
+    succeed(with(perPoint));
+    const std::string resumed = read("killed.exr");
+    std::filesystem::remove(path("state"));
+    succeed(with(perPoint));
+    EXPECT_EQ(resumed, read("killed.exr"));
 }
 
 TEST_F(Stopped, CtrlCKeepsThePictureAndResumes) {

@@ -19,6 +19,7 @@ namespace vitrine {
 namespace {
 
 using testing::HasSubstr;
+using namespace std::string_literals;
 
 void replace(const std::string& path, const std::string& text) {
     replaceFile(path, {std::as_bytes(std::span(text))});
@@ -93,6 +94,20 @@ TEST(ReplaceFile, ManyWritersAtOnceNeverMixTheirTexts) {
     const std::string text = contents(folder.file("a.bin"));
     EXPECT_EQ(text, std::string(5000, text.at(0)));
     EXPECT_EQ(folder.count(), 1u);
+}
+
+TEST(ReplaceFile, CanBeTriedWithoutATrace) {
+    const test::TemporaryFolder folder;
+    EXPECT_NO_THROW(checkReplaceable(folder.file("a.bin")));
+    EXPECT_EQ(folder.count(), 0u);
+    std::ofstream(folder.file("a.bin")) << "old";
+    EXPECT_NO_THROW(checkReplaceable(folder.file("a.bin")));
+    EXPECT_EQ(contents(folder.file("a.bin")), "old");
+    EXPECT_EQ(folder.count(), 1u);
+    EXPECT_NO_THROW(checkReplaceable("/dev/null"));
+    for (const std::string& bad :
+         {folder.file("no/a.bin"), folder.file("a.bin/b.bin"), folder.file(""), "/proc/a.bin"s})
+        EXPECT_THROW(checkReplaceable(bad), FileError) << bad;
 }
 
 TEST(ReplaceFile, LinksAreFollowed) {
