@@ -15,7 +15,7 @@ namespace vitrine {
 /// A Bezier curve of degree 1 to 3. Lines have degree 1, Q and T 2, C and S 3; an arc becomes several cubics that stay
 /// within 1e-6 of its larger radius.
 struct SvgSegment {
-    std::array<V2d, 4> points; ///< the first degree + 1 of them count
+    std::array<V2d, 4> points{{{0, 0}, {0, 0}, {0, 0}, {0, 0}}}; ///< the first degree + 1 of them count
     int degree = 1;
     std::size_t offset = 0, length = 1; ///< bytes of what draws it, in the text that was read
 
