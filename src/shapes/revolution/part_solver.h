@@ -60,14 +60,15 @@ class PartSolver {
     std::optional<Dip> findDip(const Quadratic& f) const;
     void solveSeveral(const Quadratic& f, int variations, HitCollector& hits) const;
     bool isolateSteep(const Quadratic& f, double* c, double ta, double tb, int depth, HitCollector& hits) const;
+    void shareValue(const Quadratic& f, double t, double* left, double* right) const;
     bool isInOrder(const AxialRay& ray) const { return (y1_ > y0_) == (ray.v > 0); }
     double steepNoise(const AxialRay& ray, double ta, double tb) const;
 
     void solveShallow(HitCollector& hits) const;
     bool clipToReach(const AxialRay& ray, double* x, double* p, double& ta, double& tb) const;
     double reachAt(double radius) const;
-    bool isolateShallow(const Branch& branch, const double* x, const double* p, double ta, double tb, int depth,
-                        HitCollector& hits) const;
+    bool isolateShallow(const Branch& branch, const double* x, const double* p, const Bracket& bracket,
+                        bool negativeAtB, int depth, HitCollector& hits) const;
 
     unsigned index_;
     int points_, coefficients_, quadruples_; ///< n + 1, 2n + 1, and that in fours

@@ -31,20 +31,21 @@ struct PartSolver::Branch {
         return {p - w * s, ray.h * c.dy - w * turn, ray.h * c.ddy - w * ((sqr(c.dx) - sqr(turn)) / s + dsdx * c.ddx)};
     }
     bool isForward(double) const { return forward; }
+    bool isNegative(double x, double p) const { return p - w * ray.halfWidth(x) < 0; }
     /// dS/dx = x / S; infinite where the ray is closest to the axis.
     static double slope(double x, double s) { return s > 0 ? x / s : infinityD; }
     /// Range of G over the interval by its enclosure.
     /// \param sa, sb S at the lesser and the greater radius
     std::pair<double, double> enclose(const double* x, const double* p, int n, double sa, double sb) const {
         const auto [xa, xb] = std::minmax(x[0], x[n - 1]);
-        const double rise = sb - sa;
-        double chord = 0, band = rise; // of a vertical wall
-        if (xb - xa > 1e-9 * xb) {
-            chord = rise / (xb - xa);
-            // S - chord (x - xa) - S(xa) is largest where S' = chord: at x = e chord / root, S = e / root.
-            const double root = safeSqrt((chord - 1) * (chord + 1));
-            band = std::clamp(chord * xa - sa - ray.e * root, 0., rise);
-        }
+        // (sb - sa) / (xb - xa), without the differences: sb^2 - sa^2 = xb^2 - xa^2.
+        const double chord = sb > 0 ? (xa + xb) / (sa + sb) : 0, width = xb - xa;
+        // S - chord (x - xa) - S(xa) is largest where S' = chord: at x = e chord / root, S = e / root. Next to nothing
+        // in a short interval, where S'' = -e^2 / S^3 says it better; at a vertical tangent all of the rise at most.
+        const double root = safeSqrt((chord - 1) * (chord + 1));
+        const double bulge = std::max(0., chord * xa - sa - ray.e * root);
+        const double band =
+            std::min({chord * width, bulge, sa > 0 ? sqr(width * ray.e) / (8 * sa * sa * sa) : infinityD});
         double low = infinityD, high = -infinityD;
         for (int k = 0; k < n; ++k) {
             const double g = p[k] - w * (sa + chord * (x[k] - xa));
@@ -88,11 +89,13 @@ void PartSolver::solveShallow(HitCollector& hits) const {
     constexpr double eps = std::numeric_limits<double>::epsilon();
     const double unit = (8 + 8 * points_) * eps * reach_;
     const double base = unit + 8 * eps * (2 * std::abs(ray.vq) + std::abs(ray.oy));
-    if (closest + slack >= hits.lengthMin() * ray.h &&
-        isolateShallow(Branch{ray, -ray.v, false, unit, base}, x, p, ta, tb, maxDepth, hits) && hits.wantsOne())
-        return;
-    if (closest - slack <= hits.lengthMax() * ray.h)
-        isolateShallow(Branch{ray, ray.v, true, unit, base}, x, p, ta, tb, maxDepth, hits);
+    const auto solveBranch = [&](double w, bool forward) {
+        const Branch branch{ray, w, forward, unit, base};
+        const Bracket whole{ta, tb, branch.isNegative(x[0], p[0])};
+        return isolateShallow(branch, x, p, whole, branch.isNegative(x[points_ - 1], p[points_ - 1]), maxDepth, hits);
+    };
+    if (closest + slack >= hits.lengthMin() * ray.h && solveBranch(-ray.v, false) && hits.wantsOne()) return;
+    if (closest - slack <= hits.lengthMax() * ray.h) solveBranch(ray.v, true);
 }
 
 /// Cuts away what is nearer to the axis than the ray ever comes. At the cut both branches have the same value, so that
@@ -130,36 +133,32 @@ double PartSolver::reachAt(double radius) const {
     return findRoot(Excess{radius}, {0, 1, x0_ < radius}, (radius - x0_) / (x1_ - x0_)).t;
 }
 
-/// True when a crossing counts.
-bool PartSolver::isolateShallow(const Branch& branch, const double* x, const double* p, double ta, double tb, int depth,
-                                HitCollector& hits) const {
+/// The signs at the ends are handed down, so that neighbours agree. True when a crossing counts.
+bool PartSolver::isolateShallow(const Branch& branch, const double* x, const double* p, const Bracket& bracket,
+                                bool negativeAtB, int depth, HitCollector& hits) const {
     const int last = points_ - 1;
     const double s0 = branch.ray.halfWidth(x[0]), s1 = branch.ray.halfWidth(x[last]);
     const double sa = x[0] > x[last] ? s1 : s0, sb = x[0] > x[last] ? s0 : s1;
-    const double valueAtA = p[0] - branch.w * s0, valueAtB = p[last] - branch.w * s1;
-    const bool changes = (valueAtA < 0) != (valueAtB < 0);
-    const auto enclosed = [&] { return branch.enclose(x, p, points_, sa, sb); };
-    if (!changes) {
-        const auto [low, high] = enclosed();
-        if (low > 0 || high < 0) return false;
-    }
-    const auto isNoise = [&] {
-        const auto [low, high] = enclosed();
-        return std::max(-low, high) <= std::max(branch.noise(x[0], s0), branch.noise(x[last], s1));
-    };
-    if (depth == 0 || branch.isMonotone(x, p, points_, sa, sb) || isNoise()) {
-        const double secant = ta + (tb - ta) * (valueAtA / (valueAtA - valueAtB));
-        return changes && offerRoot(branch, {ta, tb, valueAtA < 0}, secant, hits);
+    const bool changes = bracket.negativeAtA != negativeAtB;
+    const auto [low, high] = branch.enclose(x, p, points_, sa, sb);
+    if (!changes && (low > 0 || high < 0)) return false;
+    const bool isNoise = std::max(-low, high) <= std::max(branch.noise(x[0], s0), branch.noise(x[last], s1));
+    if (depth == 0 || isNoise || branch.isMonotone(x, p, points_, sa, sb)) {
+        if (!changes) return false;
+        const double a = p[0] - branch.w * s0, b = p[last] - branch.w * s1;
+        return offerRoot(branch, bracket, bracket.ta + (bracket.tb - bracket.ta) * (a / (a - b)), hits);
     }
     double leftX[maxPoints], leftP[maxPoints], rightX[maxPoints], rightP[maxPoints];
     std::copy_n(x, points_, rightX);
     std::copy_n(p, points_, rightP);
     bernstein::halve(rightX, leftX, points_);
     bernstein::halve(rightP, leftP, points_);
-    const double tm = (ta + tb) / 2;
-    const bool inLeft = isolateShallow(branch, leftX, leftP, ta, tm, depth - 1, hits);
+    const double tm = (bracket.ta + bracket.tb) / 2;
+    const bool negative = branch.isNegative(rightX[0], rightP[0]);
+    const bool inLeft =
+        isolateShallow(branch, leftX, leftP, {bracket.ta, tm, bracket.negativeAtA}, negative, depth - 1, hits);
     if (inLeft && hits.done()) return true;
-    return isolateShallow(branch, rightX, rightP, tm, tb, depth - 1, hits) || inLeft;
+    return isolateShallow(branch, rightX, rightP, {tm, bracket.tb, negative}, negativeAtB, depth - 1, hits) || inLeft;
 }
 
 } // namespace vitrine
