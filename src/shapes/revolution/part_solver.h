@@ -60,7 +60,6 @@ class PartSolver {
     std::optional<Dip> findDip(const Quadratic& f) const;
     void solveSeveral(const Quadratic& f, int variations, HitCollector& hits) const;
     bool isolateSteep(const Quadratic& f, double* c, double ta, double tb, int depth, HitCollector& hits) const;
-    void shareValue(const Quadratic& f, double t, double* left, double* right) const;
     bool isInOrder(const AxialRay& ray) const { return (y1_ > y0_) == (ray.v > 0); }
     double steepNoise(const AxialRay& ray, double ta, double tb) const;
 
