@@ -40,7 +40,14 @@ struct PartSolver::Quadratic {
         return count;
     }
 
-    double operator[](const CurveSample& c) const { return ray.F(c.x, ray.P(c.y)); }
+    /// F at a point of the curve; 0 where rounding of the point and of the ray hides its sign: two roots that only rounding
+    /// makes would be off the surface.
+    double value(double x, double y) const {
+        constexpr double eps = std::numeric_limits<double>::epsilon();
+        const double p = ray.P(y), f = ray.F(x, p), lengths = std::abs(ray.vq) + std::abs(ray.oy) + std::abs(y);
+        const double noise = 2 * part.points_ * eps * (v2 * (sqr(x) + sqr(ray.e)) + std::abs(p) * lengths);
+        return std::abs(f) > noise ? f : 0;
+    }
     /// Half of F'' and F' and F: only ratios count.
     Derivatives operator()(const CurveSample& c) const {
         const double p = ray.P(c.y), hp = ray.h * p, slopeY = ray.h * c.dy;
@@ -92,16 +99,17 @@ struct PartSolver::Dip {
 /// from the axis than the ray ever comes.
 std::optional<PartSolver::Dip> PartSolver::findDip(const Quadratic& f) const {
     const bool negative = f.f0 < 0;
-    if ((f.fHalf < 0) != negative) return Dip{0.5, yHalf_};
+    const auto dips = [&](double x, double y) { return negative ? f.value(x, y) > 0 : f.value(x, y) < 0; };
+    if (dips(xHalf_, yHalf_)) return Dip{0.5, yHalf_};
     const double vertex = f.vertex();
     const CurveSample c = curve_.at(vertex);
-    if ((f[c] < 0) != negative) return Dip{vertex, c.y, f(c)};
+    if (dips(c.x, c.y)) return Dip{vertex, c.y, f(c)};
     const double pa = f.ray.P(y0_), pb = f.ray.P(y1_);
     if (negative || (pa < 0) == (pb < 0)) return std::nullopt;
     double t = pa / (pa - pb);
     for (int i = 0; i < 3; ++i) {
         const CurveSample d = curve_.at(t);
-        if (f[d] < 0) return Dip{t, d.y, f(d)};
+        if (dips(d.x, d.y)) return Dip{t, d.y, f(d)};
         t -= f.ray.P(d.y) / (f.ray.h * d.dy);
         if (!(t > 0 && t < 1)) break;
     }
@@ -133,6 +141,9 @@ void PartSolver::solveSeveral(const Quadratic& f, int variations, HitCollector& 
     double left[maxCoefficients];
     const double t = f.vertex();
     bernstein::split(c, left, coefficients_, t);
+    // At the vertex the curve knows F better than its coefficients do.
+    const CurveSample vertex = curve_.at(t);
+    if (const double value = f.value(vertex.x, vertex.y); value != 0) left[coefficients_ - 1] = c[0] = value;
     const auto solveHalf = [&](bool first) {
         return first ? isolateSteep(f, left, 0, t, maxDepth - 1, hits) : isolateSteep(f, c, t, 1, maxDepth - 1, hits);
     };
