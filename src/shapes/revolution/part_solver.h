@@ -11,6 +11,8 @@
 #include "shapes/revolution/hit_collector.h"
 #include "shapes/revolution/part_curve.h"
 
+#include <array>
+
 namespace vitrine {
 
 class PartSolver {
@@ -57,11 +59,12 @@ class PartSolver {
     bool offerRoot(const Function& function, Bracket bracket, double guess, HitCollector& hits) const;
 
     void solveSteep(HitCollector& hits) const;
-    std::optional<Dip> findDip(const Quadratic& f) const;
+    Dip findDip(const Quadratic& f) const;
     void solveSeveral(const Quadratic& f, int variations, HitCollector& hits) const;
     bool isolateSteep(const Quadratic& f, double* c, double ta, double tb, int depth, HitCollector& hits) const;
     bool isInOrder(const AxialRay& ray) const { return (y1_ > y0_) == (ray.v > 0); }
-    double steepNoise(const AxialRay& ray, double ta, double tb) const;
+    bool isNoise(const AxialRay& ray, const double* c, const std::array<double, 2>& x,
+                 const std::array<double, 2>& y) const;
 
     void solveShallow(HitCollector& hits) const;
     bool clipToReach(const AxialRay& ray, double* x, double* p, double& ta, double& tb) const;

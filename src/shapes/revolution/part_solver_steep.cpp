@@ -6,6 +6,16 @@
 
 namespace vitrine {
 
+namespace {
+
+/// Where the parabola a t^2 + b t + c has its rising or its falling root.
+double parabolaRoot(double c, double a, double b, bool rises) {
+    const double slope = safeSqrt(b * b - 4 * a * c) * (rises ? 1 : -1);
+    return b * slope > 0 ? -2 * c / (b + slope) : (slope - b) / (2 * a);
+}
+
+} // namespace
+
 struct PartSolver::Quadratic {
     static constexpr double lastStep = 0x1p-20;
 
@@ -59,11 +69,7 @@ struct PartSolver::Quadratic {
     // F of a part that is nearly straight is nearly the parabola a t^2 + b t + f0 through the three values.
     double a() const { return 2 * ((f0 - fHalf) + (f1 - fHalf)); }
     double b() const { return 4 * fHalf - 3 * f0 - f1; }
-    /// The parabola's root where it rises or falls.
-    double guess(bool rises) const {
-        const double slope = safeSqrt(sqr(b()) - 4 * a() * f0) * (rises ? 1 : -1);
-        return b() * slope > 0 ? -2 * f0 / (b() + slope) : (slope - b()) / (2 * a());
-    }
+    double guess(bool rises) const { return parabolaRoot(f0, a(), b(), rises); }
     double vertex() const {
         const double t = -b() / (2 * a());
         return t > 0.01 && t < 0.99 ? t : 0.5;
@@ -82,54 +88,61 @@ void PartSolver::solveSteep(HitCollector& hits) const {
     solveSeveral(f, variations, hits);
 }
 
-/// A place where F's sign differs from that at the ends, and F there.
+/// A place where F comes nearest to the other sign than at the ends, or has it.
 struct PartSolver::Dip {
     double t, y;
+    bool isCrossed;   ///< the signs differ: there is a root on either side
     Derivatives at{}; ///< all 0 at the middle, about which the parabola of the whole part is as good
 
     /// Where F's own parabola there has its root before or after.
     double guess(bool before) const {
         const double reach = safeSqrt(at.d1 * at.d1 - 2 * at.f * at.d2) / std::abs(at.d2);
-        return t - at.d1 / at.d2 + (before ? -reach : reach);
+        return vertex() + (before ? -reach : reach);
     }
+    double vertex() const { return t - at.d1 / at.d2; }
 };
 
-/// Tries three places where it is likely: the middle, the vertex of the parabola, and where the ray has the profile's
-/// height as it is closest to the axis (P = 0), between its two sides; there F is negative if the profile is farther
-/// from the axis than the ray ever comes.
-std::optional<PartSolver::Dip> PartSolver::findDip(const Quadratic& f) const {
+/// Tries the middle; where the ray has the profile's height as it is closest to the axis (P = 0), between its two sides:
+/// there F is negative if the profile is farther from the axis than the ray ever comes; and the vertex of the parabola.
+PartSolver::Dip PartSolver::findDip(const Quadratic& f) const {
     const bool negative = f.f0 < 0;
-    const auto dips = [&](double x, double y) { return negative ? f.value(x, y) > 0 : f.value(x, y) < 0; };
-    if (dips(xHalf_, yHalf_)) return Dip{0.5, yHalf_};
+    const auto isCrossed = [&](double x, double y) { return negative ? f.value(x, y) > 0 : f.value(x, y) < 0; };
+    if (isCrossed(xHalf_, yHalf_)) return Dip{0.5, yHalf_, true};
+    const double pa = f.ray.P(y0_), pHalf = f.ray.P(yHalf_), pb = f.ray.P(y1_);
+    Dip dip{};
+    if (!negative && (pa < 0) != (pb < 0)) {
+        double t = parabolaRoot(pa, 2 * ((pa - pHalf) + (pb - pHalf)), 4 * pHalf - 3 * pa - pb, pa < 0);
+        for (int i = 0; i < 3 && t > 0 && t < 1; ++i) {
+            const CurveSample c = curve_.at(t);
+            dip = {t, c.y, isCrossed(c.x, c.y), f(c)};
+            if (dip.isCrossed) return dip;
+            t -= f.ray.P(c.y) / (f.ray.h * c.dy);
+        }
+    }
     const double vertex = f.vertex();
     const CurveSample c = curve_.at(vertex);
-    if (dips(c.x, c.y)) return Dip{vertex, c.y, f(c)};
-    const double pa = f.ray.P(y0_), pb = f.ray.P(y1_);
-    if (negative || (pa < 0) == (pb < 0)) return std::nullopt;
-    double t = pa / (pa - pb);
-    for (int i = 0; i < 3; ++i) {
-        const CurveSample d = curve_.at(t);
-        if (dips(d.x, d.y)) return Dip{t, d.y, f(d)};
-        t -= f.ray.P(d.y) / (f.ray.h * d.dy);
-        if (!(t > 0 && t < 1)) break;
-    }
-    return std::nullopt;
+    const Dip atVertex{vertex, c.y, isCrossed(c.x, c.y), f(c)};
+    return atVertex.isCrossed || !(dip.t > 0) || std::abs(atVertex.at.f) < std::abs(dip.at.f) ? atVertex : dip;
 }
 
 /// As it runs up or down a part, a steep ray meets what it meets in order: after a hit that is the first so far, all
 /// others of the part come later.
 void PartSolver::solveSeveral(const Quadratic& f, int variations, HitCollector& hits) const {
     const bool negative = f.f0 < 0, inOrder = isInOrder(f.ray);
-    if (variations == 2)
-        if (const std::optional<Dip> dip = findDip(f)) {
+    double t = f.vertex();
+    if (variations == 2) {
+        const Dip dip = findDip(f);
+        if (dip.isCrossed) {
             const auto solveHalf = [&](bool first) {
-                if (hits.settles(first ? y0_ : dip->y, first ? dip->y : y1_)) return true;
-                const double guess = dip->at.f != 0 ? dip->guess(first) : f.guess(negative == first);
-                return offerRoot(f, first ? Bracket{0, dip->t, negative} : Bracket{dip->t, 1, !negative}, guess, hits);
+                if (hits.settles(first ? y0_ : dip.y, first ? dip.y : y1_)) return true;
+                const double guess = dip.at.f != 0 ? dip.guess(first) : f.guess(negative == first);
+                return offerRoot(f, first ? Bracket{0, dip.t, negative} : Bracket{dip.t, 1, !negative}, guess, hits);
             };
             if (!(solveHalf(inOrder) && hits.wantsOne())) solveHalf(!inOrder);
             return;
         }
+        if (dip.vertex() > 0 && dip.vertex() < 1) t = dip.vertex();
+    }
     double c[maxCoefficients + 3];
     for (int i = 0; i < quadruples_; ++i) {
         const Lanes four = f.coefficients(squares_[std::size_t(i)]);
@@ -138,29 +151,30 @@ void PartSolver::solveSeveral(const Quadratic& f, int variations, HitCollector& 
     }
     c[0] = f.f0;
     c[coefficients_ - 1] = f.f1;
+    // A wall in which the ray lies.
+    if (variations % 2 == 0 && isNoise(f.ray, c, {x0_, x1_}, {y0_, y1_})) return;
     double left[maxCoefficients];
-    const double t = f.vertex();
     bernstein::split(c, left, coefficients_, t);
-    // At the vertex the curve knows F better than its coefficients do.
-    const CurveSample vertex = curve_.at(t);
-    if (const double value = f.value(vertex.x, vertex.y); value != 0) left[coefficients_ - 1] = c[0] = value;
+    // There the curve knows F better than its coefficients do.
+    const CurveSample least = curve_.at(t);
+    if (const double value = f.value(least.x, least.y); value != 0) left[coefficients_ - 1] = c[0] = value;
     const auto solveHalf = [&](bool first) {
         return first ? isolateSteep(f, left, 0, t, maxDepth - 1, hits) : isolateSteep(f, c, t, 1, maxDepth - 1, hits);
     };
     if (!solveHalf(inOrder)) solveHalf(!inOrder);
 }
 
-/// Rounding in F's coefficients over [ta, tb]: of the terms' size there, which is largest at the ends of what is
-/// monotone. Next to a pole all terms vanish and F keeps its relative accuracy.
-double PartSolver::steepNoise(const AxialRay& ray, double ta, double tb) const {
+/// Whether F's coefficients over a stretch with these ends are rounding: of the terms' size there, which is largest at the
+/// ends of what is monotone. Next to a pole all terms vanish and F keeps its relative accuracy.
+bool PartSolver::isNoise(const AxialRay& ray, const double* c, const std::array<double, 2>& x,
+                         const std::array<double, 2>& y) const {
     constexpr double eps = std::numeric_limits<double>::epsilon();
-    const double p = std::abs(ray.P(middle_));
-    double largest = 0;
-    for (const double t : {ta, tb}) {
-        const CurveSample c = curve_.at(t);
-        largest = std::max(largest, sqr(ray.h * (c.y - middle_)) + sqr(ray.v * c.x));
-    }
-    return 16 * eps * (largest + sqr(p) + sqr(ray.v * ray.e));
+    double terms = 0, largest = 0;
+    for (const std::size_t i : {0u, 1u})
+        terms = std::max(terms, sqr(ray.h * (y[i] - middle_)) + sqr(ray.v * x[i]));
+    for (int k = 0; k < coefficients_; ++k)
+        largest = std::max(largest, std::abs(c[k]));
+    return largest <= 16 * eps * (terms + sqr(ray.P(middle_)) + sqr(ray.v * ray.e));
 }
 
 /// True when the rest of the part is settled by a hit.
@@ -171,10 +185,8 @@ bool PartSolver::isolateSteep(const Quadratic& f, double* c, double ta, double t
     const double tm = (ta + tb) / 2;
     bool certain = variations == 1 || depth == 0;
     if (!certain && depth < maxDepth - 12) {
-        double largest = 0;
-        for (int k = 0; k < coefficients_; ++k)
-            largest = std::max(largest, std::abs(c[k]));
-        certain = largest <= steepNoise(f.ray, ta, tb);
+        const CurveSample a = curve_.at(ta), b = curve_.at(tb);
+        certain = isNoise(f.ray, c, {a.x, b.x}, {a.y, b.y});
     }
     if (certain) {
         if (variations % 2 == 0) return false;
