@@ -28,6 +28,14 @@ constexpr std::uint64_t randomBits(std::uint64_t key, std::uint64_t counter) {
     return mixBits(key + (counter + 1) * goldenGamma);
 }
 
+/// The lowest bit first: what van der Corput and Sobol write behind the binary point.
+constexpr std::uint32_t reverseBits(std::uint32_t x) {
+    x = __builtin_bswap32(x);
+    x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
+    x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+    return ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+}
+
 /// Uniform float in [0,1), a multiple of 2^-24.
 constexpr float unitFloat(std::uint32_t bits) {
     return float(bits >> 8) * 0x1p-24f;

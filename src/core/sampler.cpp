@@ -14,13 +14,6 @@ constexpr std::uint32_t highHalf(std::uint64_t bits) {
     return std::uint32_t(bits >> 32);
 }
 
-constexpr std::uint32_t reverseBits(std::uint32_t x) {
-    x = __builtin_bswap32(x);
-    x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
-    x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
-    return ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
-}
-
 /// Owen scrambling of a number written lowest digit first: each bit is flipped by a hash of the bits below it (Laine &
 /// Karras 2011 in the form of Burley 2020, section 3; the constants are N. Vegdahl's, "Building a better LK hash",
 /// 2021).

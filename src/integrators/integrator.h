@@ -40,6 +40,12 @@ struct RenderCounters {
     }
 };
 
+/// Of photons or of light, for photon integrators: what was asked for, or as many as the whole picture has pixels.
+/// \param asked negative: nothing was
+inline std::uint64_t pathsOfPass(std::int64_t asked, const FilmSettings& film) {
+    return asked >= 0 ? std::uint64_t(asked) : std::uint64_t(film.resolution.x) * std::uint64_t(film.resolution.y);
+}
+
 /// Belongs to one render: it may keep what it needs from pass to pass.
 class Integrator {
   public:

@@ -1,5 +1,6 @@
 #include "integrators/light_tracing.h"
 
+#include "integrators/pixel_sample.h"
 #include "integrators/tiles.h"
 #include "paths/direct_light.h"
 
@@ -34,13 +35,10 @@ void LightTracingIntegrator::addSeenLights(const World& world, std::uint64_t pas
     const FilmSettings& settings = film.settings();
     const auto renderPixel = [&](const V2i& pixel) {
         SampleStream stream(sampler_, pixel, pass);
-        const Filter::Sample filtered = film.filter().sample(stream.get2D());
-        const V2d raster(pixel.x + 0.5 + filtered.p.x, pixel.y + 0.5 + filtered.p.y);
+        const PixelSample at = samplePixel(film.filter(), pixel, stream);
         SampledSpectrum light(0.f);
-        if (const auto camera = world.camera->generate({raster, stream.get2D()})) {
-            Walk walk(world, TransportMode::Radiance, lambda,
-                      world.raysStartApart ? interiorAt(world, camera->ray.o) : world.cameraInterior);
-            walk.ray = camera->ray;
+        if (const auto camera = world.camera->generate(at.camera)) {
+            Walk walk = eyeWalk(world, camera->ray, lambda);
             const LastBounce fromCamera;
             Vertex vertex;
             for (;;) {
@@ -54,7 +52,7 @@ void LightTracingIntegrator::addSeenLights(const World& world, std::uint64_t pas
             }
             light *= camera->weight;
         }
-        film.add(pixel, light, lambda, filtered.weight, unsigned(pass & 1));
+        film.add(pixel, light, lambda, at.weight, unsigned(pass & 1));
     };
     forEachPixel(settings.cropMin, settings.cropMax, renderPixel,
                  [&](int pixels) { counters.samples.fetch_add(std::uint64_t(pixels), std::memory_order_relaxed); });
@@ -95,20 +93,15 @@ void LightTracingIntegrator::connect(const World& world, const Vertex& vertex, c
 
 void LightTracingIntegrator::addLightPaths(const World& world, std::uint64_t pass, const SampledWavelengths& lambda,
                                            Film& film, RenderCounters& counters) const {
-    constexpr std::uint64_t blockSize = 4096;
     const auto strips = std::size_t((film.settings().cropSize().y + stripRows - 1) / stripRows);
-    std::vector<Splats> blocks((pathsPerPass_ + blockSize - 1) / blockSize);
-    tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t b) {
-        const PlainArithmetic plain;
-        Splats& splats = blocks[b];
-        splats.strips.resize(strips);
-        for (std::uint64_t path = b * blockSize; path < std::min(pathsPerPass_, (b + 1) * blockSize); ++path)
+    const auto blocks = traceInBlocks(
+        pathsPerPass_, Splats{std::vector<std::vector<Splat>>(strips)}, [&](std::uint64_t path, Splats& splats) {
             splats.lostExits += paths_->follow(
                 pass, path, lambda,
                 [&](const Vertex& vertex, const Bsdf& bsdf, const Walk& walk, int, int hero, SampleStream& stream) {
                     connect(world, vertex, bsdf, walk, hero, stream, film, splats);
                 });
-    });
+        });
     // No pixel belongs to two strips, so nothing is locked; the film's sums do not depend on order.
     tbb::parallel_for(std::size_t(0), strips, [&](std::size_t strip) {
         const PlainArithmetic plain;
@@ -123,9 +116,7 @@ void LightTracingIntegrator::addLightPaths(const World& world, std::uint64_t pas
 
 void LightTracingIntegrator::addPasses(const World& world, PassRange passes, Film& film, RenderCounters& counters) {
     if (!paths_) {
-        const V2i& resolution = film.settings().resolution;
-        pathsPerPass_ = settings_.pathsPerPass >= 0 ? std::uint64_t(settings_.pathsPerPass)
-                                                    : std::uint64_t(resolution.x) * std::uint64_t(resolution.y);
+        pathsPerPass_ = pathsOfPass(settings_.pathsPerPass, film.settings());
         paths_.emplace(world, settings_.maxDepth, sampler_);
     }
     for (std::uint64_t pass = passes.begin; pass < passes.end; ++pass) {

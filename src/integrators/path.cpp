@@ -1,5 +1,6 @@
 #include "integrators/path.h"
 
+#include "integrators/pixel_sample.h"
 #include "integrators/tiles.h"
 #include "paths/direct_light.h"
 
@@ -27,9 +28,7 @@ class WavelengthRotation {
 
 SampledSpectrum PathIntegrator::radiance(const World& world, const Ray& ray, const SampledWavelengths& lambda,
                                          SampleStream& stream, std::uint64_t& lostExits) const {
-    Walk walk(world, TransportMode::Radiance, lambda,
-              world.raysStartApart ? interiorAt(world, ray.o) : world.cameraInterior);
-    walk.ray = ray;
+    Walk walk = eyeWalk(world, ray, lambda);
     const SampledSpectrum result = follow(world, walk, stream);
     lostExits += std::uint64_t(walk.lostExits());
     return result;
@@ -88,14 +87,12 @@ void PathIntegrator::addPasses(const World& world, PassRange passes, Film& film,
         std::uint64_t lostExits = 0;
         for (std::uint64_t pass = passes.begin; pass < passes.end; ++pass) {
             SampleStream stream(sampler_, pixel, pass);
-            const Filter::Sample filtered = film.filter().sample(stream.get2D());
-            const V2f lens = stream.get2D();
+            const PixelSample at = samplePixel(film.filter(), pixel, stream);
             const SampledWavelengths lambda = SampledWavelengths::picture(wavelengths.at(pass));
-            const V2d raster(pixel.x + 0.5 + filtered.p.x, pixel.y + 0.5 + filtered.p.y);
             SampledSpectrum radianceIn(0.f);
-            if (const auto camera = world.camera->generate({raster, lens}))
+            if (const auto camera = world.camera->generate(at.camera))
                 radianceIn = radiance(world, camera->ray, lambda, stream, lostExits) * camera->weight;
-            film.add(pixel, radianceIn, lambda, filtered.weight, unsigned(pass & 1));
+            film.add(pixel, radianceIn, lambda, at.weight, unsigned(pass & 1));
         }
         if (lostExits > 0) counters.lostExits.fetch_add(lostExits, std::memory_order_relaxed);
     };

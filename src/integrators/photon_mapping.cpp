@@ -1,6 +1,7 @@
 #include "integrators/photon_mapping.h"
 
 #include "core/random.h"
+#include "integrators/pixel_sample.h"
 #include "integrators/tiles.h"
 #include "paths/pass_wavelengths.h"
 #include "photons/naive_lookup.h"
@@ -20,7 +21,6 @@ struct PhotonMappingIntegrator::EyeSample {
     float filterWeight, cameraWeight;
     SampledSpectrum light; ///< without photons, hero first
     std::size_t pointsEnd; ///< its points end here, where the next one's begin
-    float factor = 1;      ///< its disks' radius over their base radius
 };
 
 /// Eye paths of a part of the picture, with the points where they gather.
@@ -54,10 +54,8 @@ void PhotonMappingIntegrator::check(const World& world) const {
 
 void PhotonMappingIntegrator::prepare(const World& world, const Film& film) {
     const FilmSettings& settings = film.settings();
-    photonsPerPass_ = settings_.photonsPerPass >= 0
-                          ? std::uint64_t(settings_.photonsPerPass)
-                          : std::uint64_t(settings.resolution.x) * std::uint64_t(settings.resolution.y);
-    photonTracer_.emplace(world, PhotonSettings{photonsPerPass_, settings_.maxDepth, settings_.eye.directByPhotons},
+    photonsPerPass_ = pathsOfPass(settings_.photonsPerPass, settings);
+    photonTracer_.emplace(world, PhotonSettings{photonsPerPass_, settings_.eye.maxDepth, settings_.eye.directByPhotons},
                           sampler_);
     eyePaths_.emplace(world, settings_.eye);
     radiiMin_ = settings.cropMin;
@@ -112,21 +110,20 @@ void PhotonMappingIntegrator::traceEyePaths(const World& world, std::uint64_t pa
                 const std::uint64_t sample =
                     settings_.fixedEyePaths ? std::uint64_t(k) : pass * std::uint64_t(perPixel) + std::uint64_t(k);
                 SampleStream stream(sampler_, V2i(x, y), sample);
-                const Filter::Sample filtered = film.filter().sample(stream.get2D());
-                const CameraSample cameraSample{V2d(x + 0.5 + filtered.p.x, y + 0.5 + filtered.p.y), stream.get2D()};
+                const PixelSample in = samplePixel(film.filter(), V2i(x, y), stream);
                 const std::size_t pixelIndex =
                     std::size_t(y - radiiMin_.y) * std::size_t(radiiSize_.x) + std::size_t(x - radiiMin_.x);
                 const std::uint64_t mixed = streamKey(x, y, k);
                 EyeSample eye{V2i(x, y),
                               pixelIndex * std::size_t(perPixel) + std::size_t(k),
                               heroOf(mixed, pass),
-                              filtered.weight,
+                              in.weight,
                               0,
                               SampledSpectrum(0.f),
                               0};
-                if (const auto camera = world.camera->generate(cameraSample)) {
+                if (const auto camera = world.camera->generate(in.camera)) {
                     eye.cameraWeight = camera->weight;
-                    const auto footprint = PixelFootprint::of(*world.camera, cameraSample, camera->ray);
+                    const auto footprint = PixelFootprint::of(*world.camera, in.camera, camera->ray);
                     eye.light = eyePaths_->trace(camera->ray, footprint, lambda.rotated(eye.hero), eye.hero, stream,
                                                  gathering.points, gathering.lostExits);
                 }
@@ -136,18 +133,17 @@ void PhotonMappingIntegrator::traceEyePaths(const World& world, std::uint64_t pa
 }
 
 void PhotonMappingIntegrator::gather(const World& world, Gathering& g, const PhotonLookup& lookup, std::uint64_t pass,
-                                     RenderCounters& counters) {
-    const float shared = sharedRadiusFactor(pass, settings_.alpha);
+                                     float sharedFactor, RenderCounters& counters) {
     std::size_t at = 0;
-    for (EyeSample& eye : g.samples) {
-        eye.factor = settings_.rule == RadiusRule::Shared ? shared : radii_[eye.pathIndex].factor;
+    for (const EyeSample& eye : g.samples) {
+        const float factor = settings_.rule == RadiusRule::Shared ? sharedFactor : radii_[eye.pathIndex].factor;
         for (; at < eye.pointsEnd; ++at) {
             g.disks.push_back(g.points[at].disk);
-            g.disks.back().radius *= eye.factor;
+            g.disks.back().radius *= factor;
         }
     }
     lookup.find(g.disks, g.near);
-    const Gatherer gatherer{settings_.kernel, photonsPerPass_, settings_.maxDepth};
+    const Gatherer gatherer{settings_.kernel, photonsPerPass_, settings_.eye.maxDepth};
     at = 0;
     for (EyeSample& eye : g.samples) {
         std::uint32_t found = 0;
@@ -190,27 +186,28 @@ void PhotonMappingIntegrator::addPass(const World& world, std::uint64_t pass, Fi
     counters.landedPaths.fetch_add(photons.landedPaths, std::memory_order_relaxed);
     counters.photons.fetch_add(photons.photons.size(), std::memory_order_relaxed);
     counters.lostExits.fetch_add(photons.lostExits, std::memory_order_relaxed);
-    const auto lookup = makeLookup(std::move(photons.photons), sharedRadiusFactor(pass, settings_.alpha));
+    const float sharedFactor = sharedRadiusFactor(pass, settings_.alpha);
+    const auto lookup = makeLookup(std::move(photons.photons), sharedFactor);
     counters.photonBytes = std::max(counters.photonBytes.load(), std::uint64_t(lookup->memoryBytes()));
 
+    const auto addPart = [&](const V2i& first, const V2i& last, Gathering& gathering) {
+        gathering.clear();
+        traceEyePaths(world, pass, lambda, film, first, last, gathering);
+        gather(world, gathering, *lookup, pass, sharedFactor, counters);
+        addToFilm(gathering, lambda, pass, film);
+        counters.samples.fetch_add(std::uint64_t(last.x - first.x) * std::uint64_t(last.y - first.y),
+                                   std::memory_order_relaxed);
+    };
     if (settings_.search == PhotonSearch::Tree) {
         // The tree holds the points of the whole picture, which stay from pass to pass.
+        const PlainArithmetic plain;
         Gathering whole;
-        traceEyePaths(world, pass, lambda, film, settings.cropMin, settings.cropMax, whole);
-        gather(world, whole, *lookup, pass, counters);
-        addToFilm(whole, lambda, pass, film);
-        counters.samples.fetch_add(std::uint64_t(settings.cropSize().x) * std::uint64_t(settings.cropSize().y));
+        addPart(settings.cropMin, settings.cropMax, whole);
         return;
     }
     tbb::enumerable_thread_specific<Gathering> gatherings; // buffers only: nothing is carried from tile to tile
-    forEachTile(settings.cropMin, settings.cropMax, [&](const V2i& first, const V2i& last) {
-        Gathering& gathering = gatherings.local();
-        gathering.clear();
-        traceEyePaths(world, pass, lambda, film, first, last, gathering);
-        gather(world, gathering, *lookup, pass, counters);
-        addToFilm(gathering, lambda, pass, film);
-        counters.samples.fetch_add(std::uint64_t((last.x - first.x) * (last.y - first.y)), std::memory_order_relaxed);
-    });
+    forEachTile(settings.cropMin, settings.cropMax,
+                [&](const V2i& first, const V2i& last) { addPart(first, last, gatherings.local()); });
 }
 
 void PhotonMappingIntegrator::addPasses(const World& world, PassRange passes, Film& film, RenderCounters& counters) {

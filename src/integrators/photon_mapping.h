@@ -41,7 +41,6 @@ struct PhotonMappingSettings {
     PhotonSearch search = PhotonSearch::Grid;
     EyePathSettings eye;
     std::int64_t photonsPerPass = -1;
-    int maxDepth = 5;
 };
 
 class PhotonMappingIntegrator final : public Integrator {
@@ -66,7 +65,7 @@ class PhotonMappingIntegrator final : public Integrator {
     void traceEyePaths(const World& world, std::uint64_t pass, const SampledWavelengths& lambda, const Film& film,
                        const V2i& first, const V2i& last, Gathering& gathering) const;
     void gather(const World& world, Gathering& gathering, const PhotonLookup& lookup, std::uint64_t pass,
-                RenderCounters& counters);
+                float sharedFactor, RenderCounters& counters);
     void addToFilm(const Gathering& gathering, const SampledWavelengths& lambda, std::uint64_t pass, Film& film) const;
 
     PhotonMappingSettings settings_;

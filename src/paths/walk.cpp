@@ -9,6 +9,13 @@ constexpr int maxPasses = 10000;
 
 } // namespace
 
+Walk eyeWalk(const World& world, const Ray& ray, const SampledWavelengths& lambda) {
+    Walk walk(world, TransportMode::Radiance, lambda,
+              world.raysStartApart ? interiorAt(world, ray.o) : world.cameraInterior);
+    walk.ray = ray;
+    return walk;
+}
+
 float shadingNormalCorrection(const SurfacePoint& point, const V3f& wo, const V3f& wi) {
     const float numerator = absDot(wo, point.ns) * absDot(wi, point.ng);
     const float denominator = absDot(wo, point.ng) * absDot(wi, point.ns);

@@ -65,6 +65,9 @@ class Walk {
     int lostExits_ = 0;
 };
 
+/// A walk in radiance mode along a ray of the camera, in the solids that the ray starts in.
+Walk eyeWalk(const World& world, const Ray& ray, const SampledWavelengths& lambda);
+
 /// Veach 1997, eq. 5.19: what importance is to be multiplied by where shading and geometric normal differ.
 float shadingNormalCorrection(const SurfacePoint& point, const V3f& wo, const V3f& wi);
 

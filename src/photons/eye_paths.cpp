@@ -65,12 +65,8 @@ bool EyePaths::forks(const Path& path, const Bsdf& bsdf) const {
 SampledSpectrum EyePaths::trace(const Ray& ray, const PixelFootprint& footprint, const SampledWavelengths& lambda,
                                 int hero, SampleStream& stream, std::vector<GatherPoint>& points,
                                 std::uint64_t& lostExits) const {
-    Path path{Walk(world_, TransportMode::Radiance, lambda,
-                   world_.raysStartApart ? interiorAt(world_, ray.o) : world_.cameraInterior),
-              footprint, hero, stream.dimension()};
-    path.walk.ray = ray;
     SampledSpectrum light(0.f);
-    follow(std::move(path), stream, points, light, lostExits);
+    follow(Path{eyeWalk(world_, ray, lambda), footprint, hero, stream.dimension()}, stream, points, light, lostExits);
     return light;
 }
 

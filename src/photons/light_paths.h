@@ -1,9 +1,12 @@
 // Paths that start at lights.
 #pragma once
 
+#include "core/plain_arithmetic.h"
 #include "core/sampler.h"
 #include "paths/pass_wavelengths.h"
 #include "paths/walk.h"
+
+#include <tbb/parallel_for.h>
 
 namespace vitrine {
 
@@ -35,6 +38,20 @@ class LightPaths {
     /// Solids round each light, where they are the same for all its rays.
     std::unordered_map<const Light*, InteriorStack> interiors_;
 };
+
+/// Calls onPath(path, block) for all paths of a pass, in blocks that are the same for any number of threads; those of a block
+/// in order, on one thread. \return the blocks, which began as `empty`
+template <class Block, class OnPath>
+std::vector<Block> traceInBlocks(std::uint64_t paths, const Block& empty, OnPath&& onPath) {
+    constexpr std::uint64_t blockSize = 4096;
+    std::vector<Block> blocks((paths + blockSize - 1) / blockSize, empty);
+    tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t b) {
+        const PlainArithmetic plain;
+        for (std::uint64_t path = b * blockSize; path < std::min(paths, (b + 1) * blockSize); ++path)
+            onPath(path, blocks[b]);
+    });
+    return blocks;
+}
 
 template <class AtVertex>
 int LightPaths::follow(std::uint64_t pass, std::uint64_t path, const SampledWavelengths& lambda,

@@ -1,6 +1,7 @@
 // Where single precision is enough.
 #pragma once
 
+#include "lights/scene_sphere.h"
 #include "paths/world.h"
 
 namespace vitrine {
@@ -9,21 +10,15 @@ namespace vitrine {
 /// from the origin.
 class PhotonSpace {
   public:
-    explicit PhotonSpace(const World& world) {
-        const Box3d bounds = world.caster->bounds();
-        if (bounds.isEmpty()) return;
-        middle_ = bounds.center();
-        radius_ = bounds.size().length() / 2;
-    }
+    explicit PhotonSpace(const World& world) : scene_(SceneSphere::around(world.caster->bounds())) {}
 
-    V3f fromWorld(const V3d& p) const { return toFloat(p - middle_); }
-    V3d toWorld(const V3f& p) const { return toDouble(p) + middle_; }
+    V3f fromWorld(const V3d& p) const { return toFloat(p - scene_.center); }
+    V3d toWorld(const V3f& p) const { return toDouble(p) + scene_.center; }
     /// Of the sphere round everything bounded; 0 when nothing is.
-    double sceneRadius() const { return radius_; }
+    double sceneRadius() const { return scene_.radius; }
 
   private:
-    V3d middle_{0, 0, 0};
-    double radius_ = 0;
+    SceneSphere scene_;
 };
 
 } // namespace vitrine

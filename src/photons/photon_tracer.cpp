@@ -1,9 +1,6 @@
 #include "photons/photon_tracer.h"
 
-#include "core/plain_arithmetic.h"
 #include "photons/gather_point.h"
-
-#include <tbb/parallel_for.h>
 
 namespace vitrine {
 
@@ -11,23 +8,16 @@ PhotonTracer::PhotonTracer(const World& world, const PhotonSettings& settings, c
     : space_(world), settings_(settings), paths_(world, std::min(settings.maxDepth, Photon::maxDepth + 1), sampler) {}
 
 PhotonPass PhotonTracer::trace(std::uint64_t pass, const SampledWavelengths& lambda) const {
-    // Blocks are the same for any number of threads, and put together in order.
-    constexpr std::uint64_t blockSize = 4096;
-    std::vector<PhotonPass> blocks((settings_.paths + blockSize - 1) / blockSize);
-    tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t b) {
-        const PlainArithmetic plain;
-        PhotonPass& block = blocks[b];
-        for (std::uint64_t path = b * blockSize; path < std::min(settings_.paths, (b + 1) * blockSize); ++path) {
-            const std::size_t before = block.photons.size();
-            block.lostExits += std::uint64_t(paths_.follow(
-                pass, path, lambda,
-                [&](const Vertex& vertex, const Bsdf& bsdf, const Walk& walk, int depth, int hero, SampleStream&) {
-                    if ((depth > 0 || settings_.keepDirect) && gatherProbability(bsdf) > 0)
-                        block.photons.emplace_back(space_.fromWorld(vertex.point().p), vertex.wo, depth,
-                                                   rotatedBack(walk.beta, hero));
-                }));
-            block.landedPaths += block.photons.size() > before;
-        }
+    auto blocks = traceInBlocks(settings_.paths, PhotonPass{}, [&](std::uint64_t path, PhotonPass& block) {
+        const std::size_t before = block.photons.size();
+        block.lostExits += std::uint64_t(paths_.follow(
+            pass, path, lambda,
+            [&](const Vertex& vertex, const Bsdf& bsdf, const Walk& walk, int depth, int hero, SampleStream&) {
+                if ((depth > 0 || settings_.keepDirect) && gatherProbability(bsdf) > 0)
+                    block.photons.emplace_back(space_.fromWorld(vertex.point().p), vertex.wo, depth,
+                                               rotatedBack(walk.beta, hero));
+            }));
+        block.landedPaths += block.photons.size() > before;
     });
 
     PhotonPass all;

@@ -25,6 +25,11 @@ double drawRay(Figure& figure, double top, const ProfileDrawing& drawing);
 void drawRootTable(Figure& figure, const V2d& corner, const std::vector<RayRoot>& roots, double phiMaxDegrees);
 double rootTableHeight(std::size_t roots);
 
+/// The words of a legend's entry whose key is drawn at `at`, 18 points wide; returns where the next entry begins.
+V2d addLegendEntry(Figure& figure, const V2d& at, const std::string& text, double room);
+/// The key of a profile: lines in the inks of its segments.
+void addSegmentKey(Figure& figure, const V2d& at);
+
 /// Samples of one curve at equal steps of its parameter: dense enough for any figure.
 std::vector<V2d> densePoints(const BezierCurve& curve);
 inline constexpr int denseSteps = 512;

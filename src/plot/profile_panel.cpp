@@ -87,13 +87,9 @@ void drawRayPath(Figure& figure, const Axes& axes, const ProfileDrawing& drawing
 }
 
 void drawLegend(Figure& figure, V2d at, const ProfileDrawing& drawing) {
-    const auto entry = [&](const std::string& text, double room) {
-        figure.add(Text{at + V2d(24, 3), text, 9, Anchor::Start, ink});
-        at.x += room;
-    };
+    const auto entry = [&](const std::string& text, double room) { at = addLegendEntry(figure, at, text, room); };
     figure.begin("legend");
-    figure.add(Line{{at, at + V2d(9, 0)}, Pen{segmentInk[0], 2}});
-    figure.add(Line{{at + V2d(9, 0), at + V2d(18, 0)}, Pen{segmentInk[1], 2}});
+    addSegmentKey(figure, at);
     entry("segments", 77);
     figure.add(Line{{at, at + V2d(18, 0)}, faint});
     figure.add(Disk{at + V2d(9, 0), 2.4, Pen{polygonInk, 1}, Brush{paper}});

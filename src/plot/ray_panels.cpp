@@ -158,13 +158,9 @@ void drawDistanceOverS(Figure& figure, const Box2d& frame, const RayScene& scene
 }
 
 void drawLegend(Figure& figure, V2d at) {
-    const auto entry = [&](const std::string& text, double room) {
-        figure.add(Text{at + V2d(24, 3), text, 9, Anchor::Start, ink});
-        at.x += room;
-    };
+    const auto entry = [&](const std::string& text, double room) { at = addLegendEntry(figure, at, text, room); };
     figure.begin("legend");
-    figure.add(Line{{at, at + V2d(9, 0)}, Pen{segmentInk[0], 2}});
-    figure.add(Line{{at + V2d(9, 0), at + V2d(18, 0)}, Pen{segmentInk[1], 2}});
+    addSegmentKey(figure, at);
     entry("profile *d*_{b}(*y*)", 100);
     figure.add(Line{{at, at + V2d(18, 0)}, Pen{rayInk, 1.8}});
     entry("ray *d*_{r}(*y*)", 82);

@@ -25,14 +25,19 @@ SamplerSettings withOwnSeed(const ParameterSet& p, const Sampling& sampling) {
     return settings;
 }
 
+int maxDepth(const ParameterSet& p, int otherwise) {
+    const int depth = p.getInteger("maxdepth", otherwise);
+    if (depth < 0) p.error("maxdepth", "\"maxdepth\" must not be negative");
+    return depth;
+}
+
 std::unique_ptr<Integrator> path(const ParameterSet& p, const Sampling& sampling) {
     PathSettings s;
-    s.maxDepth = p.getInteger("maxdepth", s.maxDepth);
+    s.maxDepth = maxDepth(p, s.maxDepth);
     s.rrDepth = p.getInteger("rrdepth", s.rrDepth);
     s.regularize = p.getBool("regularize", s.regularize);
     s.nee = p.getBool("nee", s.nee);
     p.getChoice("lightsampler", "power", {"uniform", "power", "bvh", "exhaustive"});
-    if (s.maxDepth < 0) p.error("maxdepth", "\"maxdepth\" must not be negative");
     if (s.rrDepth < 0) p.error("rrdepth", "\"rrdepth\" must not be negative");
     return std::make_unique<PathIntegrator>(s, sampling.settings);
 }
@@ -46,8 +51,7 @@ std::int64_t pathsPerPass(const ParameterSet& p) {
 
 PhotonMappingSettings photonMapping(const ParameterSet& p) {
     PhotonMappingSettings s;
-    s.maxDepth = s.eye.maxDepth = p.getInteger("maxdepth", s.maxDepth);
-    if (s.maxDepth < 0) p.error("maxdepth", "\"maxdepth\" must not be negative");
+    s.eye.maxDepth = maxDepth(p, s.eye.maxDepth);
     s.photonsPerPass = pathsPerPass(p);
     s.rule = p.getChoice("radiusrule", "shared", {"shared", "perpoint"}) == "shared" ? RadiusRule::Shared
                                                                                      : RadiusRule::PerPoint;
@@ -66,8 +70,7 @@ PhotonMappingSettings photonMapping(const ParameterSet& p) {
 
 std::unique_ptr<Integrator> lightPath(const ParameterSet& p, const Sampling& sampling) {
     LightTracingSettings s;
-    s.maxDepth = p.getInteger("maxdepth", s.maxDepth);
-    if (s.maxDepth < 0) p.error("maxdepth", "\"maxdepth\" must not be negative");
+    s.maxDepth = maxDepth(p, s.maxDepth);
     s.pathsPerPass = pathsPerPass(p);
     return std::make_unique<LightTracingIntegrator>(s, withOwnSeed(p, sampling));
 }

@@ -1,4 +1,5 @@
 // Scenes whose radiance is known in closed form, through the whole program: reader, builder, path tracer, film.
+#include "known_values.h"
 #include "render_text.h"
 
 #include <fmt/format.h>
@@ -85,9 +86,6 @@ TEST(Invisible, NestedSolidsOfEveryOrder) {
 /// What a slab shows under a uniform sky of radiance 1: reflected plus transmitted, over all inner reflections.
 double slab(double reflectance, double transmittance) {
     return reflectance + (1 - reflectance) * (1 - reflectance) * transmittance / (1 - reflectance * transmittance);
-}
-double fresnel(double a, double b) {
-    return (a - b) * (a - b) / ((a + b) * (a + b));
 }
 
 TEST(Absorption, SlabAtNormalIncidence) {
@@ -217,31 +215,15 @@ TEST_P(Irradiance, OfAMattFloor) {
     EXPECT_RADIANCE(head(camera, "\"integer maxdepth\" 1") + lights + floor, .6 / double(piD) * irradiance);
 }
 
+INSTANTIATE_TEST_SUITE_P(Lights, Irradiance, testing::ValuesIn(lightsOverAFloor));
 INSTANTIATE_TEST_SUITE_P(
-    Lights, Irradiance,
+    MoreLights, Irradiance,
     testing::Values(
-        std::pair("LightSource \"point\" \"rgb I\" [3 3 3] \"point3 from\" [0 0 2]\n", 3. / 4),
         std::pair("LightSource \"point\" \"rgb I\" [3 3 3] \"point3 from\" [2 0 2]\n", 3. / 8 * M_SQRT1_2),
-        std::pair("LightSource \"spot\" \"rgb I\" [3 3 3] \"point3 from\" [0 0 2] \"point3 to\" [0 0 0]\n", 3. / 4),
-        std::pair("LightSource \"distant\" \"rgb L\" [2 2 2] \"point3 from\" [1 0 1] \"point3 to\" [0 0 0]\n",
-                  2 * M_SQRT1_2),
-        std::pair("LightSource \"infinite\" \"rgb L\" [1 1 1]\n", M_PI),
-        // A ball's irradiance is as if its light came from the middle: pi L r^2 / d^2 (while above the horizon).
-        std::pair("AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [4 4 4]\nTranslate 0 0 3\n"
-                  "Shape \"sphere\" \"float radius\" .5\nAttributeEnd\n",
-                  M_PI * 4 * .25 / 9),
-        std::pair("AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [4 4 4]\nTranslate 0 0 3\nRotate 180 1 0 0\n"
-                  "Shape \"disk\" \"float radius\" 2\nAttributeEnd\n",
-                  M_PI * 4 * 4. / (9 + 4)),
-        // The same with a power in lumens: L = P / (pi A).
+        // A disk with a power in lumens: L = P / (pi A).
         std::pair("AttributeBegin\nAreaLightSource \"diffuse\" \"float power\" 100\nTranslate 0 0 3\nRotate 180 1 0 0\n"
                   "Shape \"disk\" \"float radius\" 2\nAttributeEnd\n",
-                  100 / (M_PI * 4.) * 4. / (9 + 4)),
-        // A revolved lamp: the same disk, turned from a horizontal profile that faces down (object y is world -z).
-        std::pair("AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [4 4 4] \"bool twosided\" true\n"
-                  "Translate 0 0 3\nRotate -90 1 0 0\n"
-                  "Shape \"revolution\" \"point2 P\" [0 0  2 0]\nAttributeEnd\n",
-                  M_PI * 4 * 4. / (9 + 4))));
+                  100 / (M_PI * 4.) * 4. / (9 + 4))));
 
 } // namespace
 } // namespace vitrine

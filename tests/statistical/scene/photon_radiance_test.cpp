@@ -1,5 +1,6 @@
 // Scenes whose radiance is known in closed form, by photons: what photon mapping and light tracing must show besides the
 // bias of their disks, which the scenes keep below the tolerance.
+#include "known_values.h"
 #include "render_text.h"
 
 #include <fmt/format.h>
@@ -85,30 +86,9 @@ TEST_P(PhotonIrradiance, OfAMattFloor) {
         expectRadiance(head(camera, integrator) + lights + floor, .6 / double(piD) * irradiance, 16);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Lights, PhotonIrradiance,
-    testing::Values(
-        std::pair("LightSource \"point\" \"rgb I\" [3 3 3] \"point3 from\" [0 0 2]\n", 3. / 4),
-        std::pair("LightSource \"spot\" \"rgb I\" [3 3 3] \"point3 from\" [0 0 2] \"point3 to\" [0 0 0]\n", 3. / 4),
-        std::pair("LightSource \"distant\" \"rgb L\" [2 2 2] \"point3 from\" [1 0 1] \"point3 to\" [0 0 0]\n",
-                  2 * M_SQRT1_2),
-        std::pair("LightSource \"infinite\" \"rgb L\" [1 1 1]\n", M_PI),
-        std::pair("AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [4 4 4]\nTranslate 0 0 3\n"
-                  "Shape \"sphere\" \"float radius\" .5\nAttributeEnd\n",
-                  M_PI * 4 * .25 / 9),
-        std::pair("AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [4 4 4]\nTranslate 0 0 3\nRotate 180 1 0 0\n"
-                  "Shape \"disk\" \"float radius\" 2\nAttributeEnd\n",
-                  M_PI * 4 * 4. / (9 + 4)),
-        std::pair("AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [4 4 4] \"bool twosided\" true\n"
-                  "Translate 0 0 3\nRotate -90 1 0 0\n"
-                  "Shape \"revolution\" \"point2 P\" [0 0  2 0]\nAttributeEnd\n",
-                  M_PI * 4 * 4. / (9 + 4))));
+INSTANTIATE_TEST_SUITE_P(Lights, PhotonIrradiance, testing::ValuesIn(lightsOverAFloor));
 
 // ---- Light through slabs at normal incidence, which path tracing cannot find. ----
-
-double fresnel(double a, double b) {
-    return (a - b) * (a - b) / ((a + b) * (a + b));
-}
 
 /// A floor below a slab, seen from between them, lit straight from above; 1 falls on the slab.
 std::string underSlab(const std::string& glass, const std::string& integrator) {

@@ -1,6 +1,7 @@
 // How far from the true surface hits and drawn points lie: in a hundred digits, against 64 n eps of the profile's size.
 #include "shapes/revolution/revolution.h"
 #include "support/exact_bezier.h"
+#include "support/long_run.h"
 #include "support/revolution_cases.h"
 
 #include <gtest/gtest.h>
@@ -51,14 +52,9 @@ void expectWithinBounds(const Tally& tally) {
     EXPECT_EQ(tally.beyondOwnBound, 0) << "SurfacePoint::error must hold";
 }
 
-int repeats() {
-    const char* text = std::getenv("VITRINE_LONG");
-    return text ? std::max(1, std::atoi(text)) : 1;
-}
-
 TEST(RevolutionBackwardError, HitsLieOnTheTrueSurface) {
     Tally tally;
-    for (int i = 0; i < 40 * repeats(); ++i) {
+    for (int i = 0; i < 40 * longRun(); ++i) {
         RandomStream random(51, i);
         const int degree = 1 + i % 20;
         const ProfilePoints points = randomProfile(random, degree);
@@ -85,7 +81,7 @@ TEST(RevolutionBackwardError, HitsLieOnTheTrueSurface) {
 
 TEST(RevolutionBackwardError, DrawnPointsLieOnTheTrueSurface) {
     Tally tally;
-    for (int i = 0; i < 20 * repeats(); ++i) {
+    for (int i = 0; i < 20 * longRun(); ++i) {
         RandomStream random(52, i);
         const int degree = 1 + 3 * i % 60;
         const ProfilePoints points = randomProfile(random, degree);

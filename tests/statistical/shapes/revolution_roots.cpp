@@ -1,5 +1,6 @@
 // Every crossing of random rays with random profiles, against oracles that share no code with the root finder. The same
 // campaigns at length: bench/revolution_oracle.cpp.
+#include "support/long_run.h"
 #include "support/revolution_campaign.h"
 #include "support/revolution_exact.h"
 #include "support/revolution_slow.h"
@@ -12,12 +13,6 @@ namespace vitrine {
 namespace {
 
 using namespace test;
-
-/// VITRINE_LONG=n multiplies the number of profiles, for a longer run than the suite has time for.
-int repeats() {
-    const char* text = std::getenv("VITRINE_LONG");
-    return text ? std::max(1, std::atoi(text)) : 1;
-}
 
 void fail(const std::string& text) {
     ADD_FAILURE() << text;
@@ -41,7 +36,7 @@ void expectClean(const CampaignTally& t) {
 TEST(RevolutionRoots, RandomPairsAgreeWithExactIntegers) {
     const Campaign campaign(OracleKind::Exact, 20190612, 20, fail);
     CampaignTally tally;
-    for (int i = 0; i < 200 * repeats(); ++i)
+    for (int i = 0; i < 200 * longRun(); ++i)
         tally.add(campaign.runBlock(std::uint64_t(i)));
     expectClean(tally);
 }
@@ -49,14 +44,14 @@ TEST(RevolutionRoots, RandomPairsAgreeWithExactIntegers) {
 TEST(RevolutionRoots, RandomPairsAgreeWithASlowSolverInLongDouble) {
     const Campaign campaign(OracleKind::Slow, 20190611, 200, fail);
     CampaignTally tally;
-    for (int i = 0; i < 150 * repeats(); ++i)
+    for (int i = 0; i < 150 * longRun(); ++i)
         tally.add(campaign.runBlock(std::uint64_t(i)));
     expectClean(tally);
 }
 
 TEST(RevolutionRoots, RaysEnterAndLeaveTheGoblet) {
     ParityTally tally;
-    for (int i = 0; i < 10 * repeats(); ++i)
+    for (int i = 0; i < 10 * longRun(); ++i)
         tally.add(runParityBlock(20190613, std::uint64_t(i), 10000, fail));
     EXPECT_EQ(tally.odd, 0);
     EXPECT_EQ(tally.wrongWalk, 0);

@@ -1,6 +1,7 @@
 // Whatever the text, reading it ends soon, in nodes or in errors.
 #include "core/random.h"
 #include "scene_text.h"
+#include "support/mutate.h"
 
 #include <chrono>
 
@@ -89,10 +90,7 @@ TEST(Robustness, EveryPrefix) {
     EXPECT_FALSE(parses(sample.substr(0, sample.find("WorldBegin"))));
 }
 
-/// The sample with a few random changes: bytes replaced, removed, put in; pieces moved, repeated, cut out.
 std::string mutated(std::uint64_t number) {
-    RandomStream random(20181, number);
-    const auto below = [&](std::size_t n) { return std::size_t(random.bits() % n); };
     static const std::vector<std::string> pieces = {"\"",
                                                     "[",
                                                     "]",
@@ -114,31 +112,7 @@ std::string mutated(std::uint64_t number) {
                                                     "Include \"s\"",
                                                     "99999999999",
                                                     "\"float x\" "};
-    std::string text = sample;
-    for (std::size_t change = 1 + below(8); change > 0 && !text.empty(); --change) {
-        const std::size_t at = below(text.size()), length = std::min(text.size() - at, 1 + below(60));
-        switch (below(6)) {
-        case 0:
-            text[at] = char(1 + below(255));
-            break;
-        case 1:
-            text.erase(at, length);
-            break;
-        case 2:
-            text.insert(at, pieces[below(pieces.size())]);
-            break;
-        case 3:
-            text.insert(below(text.size()), text.substr(at, length));
-            break;
-        case 4:
-            text.replace(at, length, pieces[below(pieces.size())]);
-            break;
-        default:
-            text[at] = char(below(256));
-            break;
-        }
-    }
-    return text;
+    return test::mutated(sample, pieces, {8, 60}, RandomStream(20181, number));
 }
 
 TEST(Robustness, TwentyThousandMutations) {

@@ -1,6 +1,6 @@
 // Whatever the text, reading SVG ends soon, in outlines or in errors.
-#include "core/random.h"
 #include "nodes/svg_file.h"
+#include "support/mutate.h"
 
 #include <gtest/gtest.h>
 
@@ -70,30 +70,8 @@ std::string sampleFile() {
     return text.str();
 }
 
-std::string mutated(std::string text, const std::vector<std::string>& pieces, std::uint64_t number) {
-    RandomStream random(11, number);
-    const auto below = [&](std::size_t n) { return std::size_t(random.bits() % n); };
-    for (std::size_t change = 1 + below(6); change > 0 && !text.empty(); --change) {
-        const std::size_t at = below(text.size()), length = std::min(text.size() - at, 1 + below(40));
-        switch (below(5)) {
-        case 0:
-            text[at] = char(1 + below(255));
-            break;
-        case 1:
-            text.erase(at, length);
-            break;
-        case 2:
-            text.insert(at, pieces[below(pieces.size())]);
-            break;
-        case 3:
-            text.insert(below(text.size()), text.substr(at, length));
-            break;
-        default:
-            text.replace(at, length, pieces[below(pieces.size())]);
-            break;
-        }
-    }
-    return text;
+std::string mutated(const std::string& text, const std::vector<std::string>& pieces, std::uint64_t number) {
+    return test::mutated(text, pieces, {6, 40}, RandomStream(11, number));
 }
 
 TEST(SvgRobustness, EveryPrefixOfPathData) {
