@@ -44,6 +44,26 @@ TEST(PassWavelengths, HeroesTakeTurns) {
     EXPECT_NE(heroOf(5, 0), heroOf(5, 1));
 }
 
+TEST(PassWavelengths, HeroesOfAPathLieEvenly) {
+    for (const std::uint64_t passes : {4u, 16u, 64u, 256u})
+        for (const std::uint64_t path : {0u, 1u, 6u, 77u}) {
+            const std::uint64_t first = 3 * passes;
+            for (int stratum = 0; stratum < 4; ++stratum) {
+                std::vector<std::pair<float, bool>> all; // wavelength, whether the path's hero
+                for (std::uint64_t pass = first; pass < first + passes; ++pass)
+                    all.emplace_back(passWavelengths(pass, 5)[stratum], stratum == heroOf(path, pass));
+                // From the first pass's on, which the seed has moved up the stratum, they come in fours that share a part.
+                std::sort(all.begin(), all.end());
+                const float start = passWavelengths(first, 5)[stratum];
+                std::rotate(all.begin(), std::find_if(all.begin(), all.end(), [&](auto w) { return w.first == start; }),
+                            all.end());
+                for (std::size_t k = 0; k < all.size(); k += 4)
+                    EXPECT_EQ(all[k].second + all[k + 1].second + all[k + 2].second + all[k + 3].second, 1)
+                        << "path " << path << " of " << passes << " passes, stratum " << stratum << ", part " << k / 4;
+            }
+        }
+}
+
 TEST(PassWavelengths, RotationIsUndone) {
     const SampledWavelengths lambda = passWavelengths(3, 1);
     for (int by = 0; by < 4; ++by) {
