@@ -27,8 +27,19 @@ using CastAll = std::function<long(std::span<const Ray>)>;
 struct Contender {
     std::string name;
     CastAll castAll;
-    std::size_t rays = std::size_t(-1); ///< the slow ones get only the first so many, evenly spread
+    std::size_t rays = std::size_t(-1); ///< the slow ones get only so many, spread over all
 };
+
+/// So many of the rays, one from each of as many stretches, its place in the stretch by turns: a regular step could be
+/// that of a picture's columns.
+std::vector<Ray> spread(const std::vector<Ray>& rays, std::size_t count) {
+    if (count >= rays.size()) return rays;
+    const std::size_t step = rays.size() / count;
+    std::vector<Ray> own;
+    for (std::size_t k = 0; k < count; ++k)
+        own.push_back(rays[k * step + k * 7 % step]);
+    return own;
+}
 
 template <class Cast>
 CastAll castAll(Cast cast) {
@@ -59,15 +70,12 @@ std::vector<std::vector<double>> measure(const std::vector<Contender>& contender
     hitShare.assign(contenders.size(), 0);
     for (int round = -1; round < rounds; ++round) // the first warms up
         for (std::size_t i = 0; i < contenders.size(); ++i) {
-            std::vector<Ray> own;
-            const std::size_t count = std::min(rays.size(), contenders[i].rays);
-            for (std::size_t k = 0; k < count; ++k)
-                own.push_back(rays[k * rays.size() / count]);
+            const std::vector<Ray> own = spread(rays, contenders[i].rays);
             const double start = threadNanoseconds();
             const long hits = contenders[i].castAll(own);
             const double time = threadNanoseconds() - start;
-            hitShare[i] = double(hits) / double(count);
-            if (round >= 0) times[i].push_back(time / double(count));
+            hitShare[i] = double(hits) / double(own.size());
+            if (round >= 0) times[i].push_back(time / double(own.size()));
         }
     return times;
 }
@@ -131,11 +139,33 @@ struct Options {
     std::string povray, json;
 };
 
+constexpr int newtonStarts[] = {5, 10, 20, 40};
+
+/// Of the rays that hit, the share whose first hit Newton's method misses or puts elsewhere.
+void printNewtonsMisses(const Subject& subject, const std::vector<Ray>& rays) {
+    const std::shared_ptr<const Revolution> shape = subject.shape();
+    std::printf("  first hits that Newton's method of 2018 misses or puts elsewhere:");
+    for (const int starts : newtonStarts) {
+        const test::Newton2018 newton(subject.points, starts);
+        long hits = 0, wrong = 0;
+        for (const Ray& ray : rays) {
+            PrimitiveHit best, hit;
+            for (unsigned prim = 0; prim < shape->primitiveCount(); ++prim)
+                if (shape->intersect(prim, ray, 0, best.s, hit)) best = hit;
+            if (best.s == infinityD) continue;
+            const auto found = newton.closest(ray, 0, infinityD);
+            ++hits;
+            wrong += !found || std::abs(found->s - best.s) > 1e-6 * subject.half.y;
+        }
+        std::printf("  %d starts: %.3f %%", starts, 100. * double(wrong) / double(hits));
+    }
+    std::printf("\n");
+}
+
 std::vector<Contender> contendersFor(const Subject& subject, const Options& options) {
     constexpr std::size_t newtonRays = 2048;
     const std::shared_ptr<const Revolution> shape = subject.shape();
     const std::shared_ptr<const Caster> caster = casterOf({shape});
-    const test::Newton2018 newton(subject.points);
     M44d place;
     place.translate(subject.middle);
     const double radius = subject.half.y;
@@ -144,9 +174,13 @@ std::vector<Contender> contendersFor(const Subject& subject, const Options& opti
         {"exact, caster", closestByCaster(caster)},
         {"exact, caster, any hit", anyByCaster(caster)},
         {"sphere, shape alone",
-         closestByShape(std::make_shared<Sphere>(Transform(place), false, radius, -radius, radius, 360))},
-        {"Newton 2018", castAll([newton](const Ray& ray) { return newton.closest(ray, 0, infinityD).has_value(); }),
-         newtonRays}};
+         closestByShape(std::make_shared<Sphere>(Transform(place), false, radius, -radius, radius, 360))}};
+    for (const int starts : newtonStarts) {
+        const test::Newton2018 newton(subject.points, starts);
+        contenders.push_back(
+            {fmt::format("Newton 2018, {} starts", starts),
+             castAll([newton](const Ray& ray) { return newton.closest(ray, 0, infinityD).has_value(); }), newtonRays});
+    }
     for (const std::uint64_t triangles : options.triangles) {
         const Profile profile = subject.profile();
         const std::vector<ShapePtr> mesh = makeMeshShapes(
@@ -172,7 +206,8 @@ void compare(const Options& options) {
         const std::vector<Contender> contenders = contendersFor(subject, options);
         for (const RaySource source : raySources) {
             std::vector<double> hits;
-            const auto times = measure(contenders, makeRays(subject, source, options.side), options.rounds, hits);
+            const std::vector<Ray> rays = makeRays(subject, source, options.side);
+            const auto times = measure(contenders, rays, options.rounds, hits);
             std::printf("%s, rays from %s\n  %-34s %8s %9s %6s  %s\n", subject.name.c_str(), toString(source), "",
                         "ns a ray", "Mrays/s", "hit %", "times the exact surface's");
             for (std::size_t i = 0; i < contenders.size(); ++i) {
@@ -188,6 +223,7 @@ void compare(const Options& options) {
                                {"ns", ns},
                                {"ratio", median(ratios)}});
             }
+            printNewtonsMisses(subject, spread(rays, 16384));
             std::fflush(stdout);
         }
     }
