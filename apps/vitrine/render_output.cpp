@@ -29,6 +29,11 @@ Json photonFigures(const RenderCounters& counters, double seconds) {
     figures["bytes"] = counters.photonBytes.load();
     figures["smallestRadius"] = counters.smallestRadius.load();
     figures["largestRadius"] = counters.largestRadius.load();
+    const auto inSeconds = [](std::uint64_t nanoseconds) { return double(nanoseconds) * 1e-9; };
+    figures["seconds"] = Json{{"photons", inSeconds(counters.photonNanoseconds)},
+                              {"sorting", inSeconds(counters.sortNanoseconds)},
+                              {"eyePaths", inSeconds(counters.eyeNanoseconds)},
+                              {"gathering", inSeconds(counters.gatherNanoseconds)}};
     return figures;
 }
 

@@ -26,6 +26,9 @@ struct RenderCounters {
     /// pairs of a point and a photon in its disk.
     std::atomic<std::uint64_t> photonPaths{0}, landedPaths{0}, photons{0}, gatherPoints{0}, gathered{0};
     std::atomic<std::uint64_t> photonBytes{0}; ///< most that the photons of a pass took
+    /// Where photon mapping's time went, by the clock: tracing photons, sorting them, eye paths and gathering (these two
+    /// overlap, and share their time as they share the threads).
+    std::atomic<std::uint64_t> photonNanoseconds{0}, sortNanoseconds{0}, eyeNanoseconds{0}, gatherNanoseconds{0};
     /// Of the disks so far. Without any: infinity and 0.
     std::atomic<float> smallestRadius{infinity}, largestRadius{0};
 

@@ -9,9 +9,33 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
+#include <chrono>
 #include <cstring>
 
 namespace vitrine {
+
+namespace {
+
+/// Cells of the photon grid by the radius that disks have most: larger ones mean fewer rows of cells a disk, but more
+/// photons tried (docs/photon-mapping.md, "Lookup").
+constexpr float cellRadii = 2;
+
+using Clock = std::chrono::steady_clock;
+
+std::uint64_t nanoseconds(Clock::time_point from, Clock::time_point to) {
+    return std::uint64_t(std::chrono::nanoseconds(to - from).count());
+}
+
+std::vector<Photon> joined(PhotonBlocks blocks) {
+    std::vector<Photon> all;
+    for (auto& block : blocks) {
+        all.insert(all.end(), block.begin(), block.end());
+        std::vector<Photon>().swap(block);
+    }
+    return all;
+}
+
+} // namespace
 
 /// An eye path and what it found.
 struct PhotonMappingIntegrator::EyeSample {
@@ -27,8 +51,7 @@ struct PhotonMappingIntegrator::EyeSample {
 struct PhotonMappingIntegrator::Gathering {
     std::vector<EyeSample> samples;
     std::vector<GatherPoint> points;
-    std::vector<GatherDisk> disks;
-    NearPhotons near;
+    std::vector<GatherDisk> disks; ///< of the points, as large as in this pass
     std::uint64_t lostExits = 0;
 
     void clear() {
@@ -87,16 +110,16 @@ void PhotonMappingIntegrator::prepare(const World& world, const Film& film) {
     typicalRadius_ = *middle;
 }
 
-std::unique_ptr<PhotonLookup> PhotonMappingIntegrator::makeLookup(std::vector<Photon> photons, float radiusFactor) {
+std::unique_ptr<PhotonLookup> PhotonMappingIntegrator::makeLookup(PhotonBlocks photons, float radiusFactor) {
     switch (settings_.search) {
     case PhotonSearch::Naive:
-        return std::make_unique<NaiveLookup>(std::move(photons));
+        return std::make_unique<NaiveLookup>(joined(std::move(photons)));
     case PhotonSearch::Tree:
-        return std::make_unique<TreeLookup>(std::move(photons), tree_);
+        return std::make_unique<TreeLookup>(joined(std::move(photons)), tree_);
     case PhotonSearch::Grid:
         break;
     }
-    return std::make_unique<PhotonGrid>(std::move(photons), typicalRadius_ * radiusFactor);
+    return std::make_unique<PhotonGrid>(std::move(photons), cellRadii * typicalRadius_ * radiusFactor);
 }
 
 void PhotonMappingIntegrator::traceEyePaths(const World& world, std::uint64_t pass, const SampledWavelengths& lambda,
@@ -132,8 +155,7 @@ void PhotonMappingIntegrator::traceEyePaths(const World& world, std::uint64_t pa
             }
 }
 
-void PhotonMappingIntegrator::gather(const World& world, Gathering& g, const PhotonLookup& lookup, std::uint64_t pass,
-                                     float sharedFactor, RenderCounters& counters) {
+void PhotonMappingIntegrator::makeDisks(Gathering& g, float sharedFactor) const {
     std::size_t at = 0;
     for (const EyeSample& eye : g.samples) {
         const float factor = settings_.rule == RadiusRule::Shared ? sharedFactor : radii_[eye.pathIndex].factor;
@@ -142,21 +164,27 @@ void PhotonMappingIntegrator::gather(const World& world, Gathering& g, const Pho
             g.disks.back().radius *= factor;
         }
     }
-    lookup.find(g.disks, g.near);
+}
+
+void PhotonMappingIntegrator::gather(const World& world, Gathering& g, const PhotonLookup& lookup,
+                                     const NearPhotons& found, std::size_t firstDisk, std::uint64_t pass,
+                                     RenderCounters& counters) {
     const Gatherer gatherer{settings_.kernel, photonsPerPass_, settings_.eye.maxDepth};
-    at = 0;
+    std::size_t at = 0;
+    std::uint64_t pairs = 0;
     for (EyeSample& eye : g.samples) {
-        std::uint32_t found = 0;
+        std::uint32_t ofPath = 0;
         RandomStream random(sampler_.seed, 0x676174686572ull, pass, eye.pathIndex);
         for (; at < eye.pointsEnd; ++at) {
-            const auto near = g.near.of(at);
+            const auto near = found.of(firstDisk + at);
             const float u = random.uniform();
-            found += std::uint32_t(near.size());
+            ofPath += std::uint32_t(near.size());
             if (!near.empty())
                 eye.light +=
                     gatherer.light(world, eyePaths_->space(), g.points[at], g.disks[at], lookup.photons(), near, u);
         }
-        if (settings_.rule == RadiusRule::PerPoint) radii_[eye.pathIndex].found(found, settings_.alpha);
+        pairs += ofPath;
+        if (settings_.rule == RadiusRule::PerPoint) radii_[eye.pathIndex].found(ofPath, settings_.alpha);
     }
     if (!g.disks.empty()) {
         const auto smaller = [](const GatherDisk& a, const GatherDisk& b) { return a.radius < b.radius; };
@@ -164,8 +192,9 @@ void PhotonMappingIntegrator::gather(const World& world, Gathering& g, const Pho
         counters.countRadius(smallest->radius);
         counters.countRadius(largest->radius);
     }
+    counters.samples.fetch_add(g.samples.size() / std::uint64_t(settings_.eyePathsPerPixel), std::memory_order_relaxed);
     counters.gatherPoints.fetch_add(g.points.size(), std::memory_order_relaxed);
-    counters.gathered.fetch_add(g.near.size(), std::memory_order_relaxed);
+    counters.gathered.fetch_add(pairs, std::memory_order_relaxed);
     counters.lostExits.fetch_add(g.lostExits, std::memory_order_relaxed);
 }
 
@@ -177,37 +206,87 @@ void PhotonMappingIntegrator::addToFilm(const Gathering& gathering, const Sample
 }
 
 void PhotonMappingIntegrator::addPass(const World& world, std::uint64_t pass, Film& film, RenderCounters& counters) {
-    const FilmSettings& settings = film.settings();
     const SampledWavelengths lambda = passWavelengths(pass, sampler_.seed);
     film.addPassWavelengths(lambda);
 
+    const auto start = Clock::now();
     PhotonPass photons = photonTracer_->trace(pass, lambda);
+    const auto traced = Clock::now();
     counters.photonPaths.fetch_add(photonsPerPass_, std::memory_order_relaxed);
     counters.landedPaths.fetch_add(photons.landedPaths, std::memory_order_relaxed);
-    counters.photons.fetch_add(photons.photons.size(), std::memory_order_relaxed);
+    counters.photons.fetch_add(photons.photons, std::memory_order_relaxed);
     counters.lostExits.fetch_add(photons.lostExits, std::memory_order_relaxed);
-    const float sharedFactor = sharedRadiusFactor(pass, settings_.alpha);
-    const auto lookup = makeLookup(std::move(photons.photons), sharedFactor);
+    const auto lookup = makeLookup(std::move(photons.blocks), sharedRadiusFactor(pass, settings_.alpha));
+    counters.photonNanoseconds.fetch_add(nanoseconds(start, traced), std::memory_order_relaxed);
+    counters.sortNanoseconds.fetch_add(nanoseconds(traced, Clock::now()), std::memory_order_relaxed);
     counters.photonBytes = std::max(counters.photonBytes.load(), std::uint64_t(lookup->memoryBytes()));
 
-    const auto addPart = [&](const V2i& first, const V2i& last, Gathering& gathering) {
-        gathering.clear();
-        traceEyePaths(world, pass, lambda, film, first, last, gathering);
-        gather(world, gathering, *lookup, pass, sharedFactor, counters);
-        addToFilm(gathering, lambda, pass, film);
-        counters.samples.fetch_add(std::uint64_t(last.x - first.x) * std::uint64_t(last.y - first.y),
-                                   std::memory_order_relaxed);
+    if (settings_.search == PhotonSearch::Tree)
+        gatherAtOnce(world, *lookup, pass, lambda, film, counters);
+    else
+        gatherInTiles(world, *lookup, pass, lambda, film, counters);
+}
+
+void PhotonMappingIntegrator::gatherInTiles(const World& world, const PhotonLookup& lookup, std::uint64_t pass,
+                                            const SampledWavelengths& lambda, Film& film, RenderCounters& counters) {
+    struct Buffers { // nothing is carried from tile to tile
+        Gathering gathering;
+        NearPhotons near;
     };
-    if (settings_.search == PhotonSearch::Tree) {
-        // The tree holds the points of the whole picture, which stay from pass to pass.
+    tbb::enumerable_thread_specific<Buffers> buffers;
+    const float sharedFactor = sharedRadiusFactor(pass, settings_.alpha);
+    std::atomic<std::uint64_t> tracing{0}, gathering{0}; // ns of all threads
+    const auto begin = Clock::now();
+    forEachTile(film.settings().cropMin, film.settings().cropMax, [&](const V2i& first, const V2i& last) {
+        auto& [tile, near] = buffers.local();
+        const auto start = Clock::now();
+        tile.clear();
+        traceEyePaths(world, pass, lambda, film, first, last, tile);
+        const auto traced = Clock::now();
+        makeDisks(tile, sharedFactor);
+        lookup.find(tile.disks, near);
+        gather(world, tile, lookup, near, 0, pass, counters);
+        addToFilm(tile, lambda, pass, film);
+        tracing.fetch_add(nanoseconds(start, traced), std::memory_order_relaxed);
+        gathering.fetch_add(nanoseconds(traced, Clock::now()), std::memory_order_relaxed);
+    });
+    const std::uint64_t whole = nanoseconds(begin, Clock::now());
+    const auto eye = std::uint64_t(double(whole) * double(tracing) / std::max(1., double(tracing) + double(gathering)));
+    counters.eyeNanoseconds.fetch_add(eye, std::memory_order_relaxed);
+    counters.gatherNanoseconds.fetch_add(whole - eye, std::memory_order_relaxed);
+}
+
+/// The tree holds the points of the whole picture, which stay from pass to pass.
+void PhotonMappingIntegrator::gatherAtOnce(const World& world, const PhotonLookup& lookup, std::uint64_t pass,
+                                           const SampledWavelengths& lambda, Film& film, RenderCounters& counters) {
+    constexpr int stripRows = 4;
+    const V2i min = film.settings().cropMin, max = film.settings().cropMax;
+    std::vector<Gathering> strips(std::size_t(max.y - min.y + stripRows - 1) / stripRows);
+    const float sharedFactor = sharedRadiusFactor(pass, settings_.alpha);
+    const auto start = Clock::now();
+    tbb::parallel_for(std::size_t(0), strips.size(), [&](std::size_t strip) {
         const PlainArithmetic plain;
-        Gathering whole;
-        addPart(settings.cropMin, settings.cropMax, whole);
-        return;
+        const int y = min.y + int(strip) * stripRows;
+        traceEyePaths(world, pass, lambda, film, V2i(min.x, y), V2i(max.x, std::min(y + stripRows, max.y)),
+                      strips[strip]);
+        makeDisks(strips[strip], sharedFactor);
+    });
+    const auto traced = Clock::now();
+    std::vector<std::size_t> firstDisks;
+    std::vector<GatherDisk> disks;
+    for (const Gathering& strip : strips) {
+        firstDisks.push_back(disks.size());
+        disks.insert(disks.end(), strip.disks.begin(), strip.disks.end());
     }
-    tbb::enumerable_thread_specific<Gathering> gatherings; // buffers only: nothing is carried from tile to tile
-    forEachTile(settings.cropMin, settings.cropMax,
-                [&](const V2i& first, const V2i& last) { addPart(first, last, gatherings.local()); });
+    NearPhotons near;
+    lookup.find(disks, near);
+    tbb::parallel_for(std::size_t(0), strips.size(), [&](std::size_t strip) {
+        const PlainArithmetic plain;
+        gather(world, strips[strip], lookup, near, firstDisks[strip], pass, counters);
+        addToFilm(strips[strip], lambda, pass, film);
+    });
+    counters.eyeNanoseconds.fetch_add(nanoseconds(start, traced), std::memory_order_relaxed);
+    counters.gatherNanoseconds.fetch_add(nanoseconds(traced, Clock::now()), std::memory_order_relaxed);
 }
 
 void PhotonMappingIntegrator::addPasses(const World& world, PassRange passes, Film& film, RenderCounters& counters) {

@@ -61,11 +61,17 @@ class PhotonMappingIntegrator final : public Integrator {
     struct Gathering;
     void addPass(const World& world, std::uint64_t pass, Film& film, RenderCounters& counters);
     void prepare(const World& world, const Film& film);
-    std::unique_ptr<PhotonLookup> makeLookup(std::vector<Photon> photons, float radiusFactor);
+    std::unique_ptr<PhotonLookup> makeLookup(PhotonBlocks photons, float radiusFactor);
     void traceEyePaths(const World& world, std::uint64_t pass, const SampledWavelengths& lambda, const Film& film,
                        const V2i& first, const V2i& last, Gathering& gathering) const;
-    void gather(const World& world, Gathering& gathering, const PhotonLookup& lookup, std::uint64_t pass,
-                float sharedFactor, RenderCounters& counters);
+    void makeDisks(Gathering& gathering, float sharedFactor) const;
+    /// Adds what photons bring to the gathering's samples. \param firstDisk of the gathering's among those of `found`
+    void gather(const World& world, Gathering& gathering, const PhotonLookup& lookup, const NearPhotons& found,
+                std::size_t firstDisk, std::uint64_t pass, RenderCounters& counters);
+    void gatherInTiles(const World& world, const PhotonLookup& lookup, std::uint64_t pass,
+                       const SampledWavelengths& lambda, Film& film, RenderCounters& counters);
+    void gatherAtOnce(const World& world, const PhotonLookup& lookup, std::uint64_t pass,
+                      const SampledWavelengths& lambda, Film& film, RenderCounters& counters);
     void addToFilm(const Gathering& gathering, const SampledWavelengths& lambda, std::uint64_t pass, Film& film) const;
 
     PhotonMappingSettings settings_;

@@ -128,6 +128,7 @@ void EyePaths::follow(Path path, SampleStream& stream, std::vector<GatherPoint>&
         const auto scattered = walk.scatter(vertex, bsdf, uLobe, uDirection);
         if (!scattered) break;
         path.last = {vertex.point().p, scattered->pdf, scattered->specular};
+        if (path.ends && !lightReach_.mayMeet(walk.ray)) break;
     }
     lostExits += std::uint64_t(walk.lostExits() - lostBefore);
 }

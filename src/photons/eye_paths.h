@@ -2,6 +2,7 @@
 #pragma once
 
 #include "paths/direct_light.h"
+#include "paths/light_reach.h"
 #include "photons/gather_point.h"
 #include "photons/photon_space.h"
 
@@ -27,7 +28,8 @@ struct PixelFootprint {
 
 class EyePaths {
   public:
-    EyePaths(const World& world, const EyePathSettings& settings) : world_(world), space_(world), settings_(settings) {}
+    EyePaths(const World& world, const EyePathSettings& settings)
+        : world_(world), lightReach_(world), space_(world), settings_(settings) {}
 
     /// Follows a camera ray. Points that gather are appended to `points`.
     /// \param lambda hero first  \param hero which of the pass's wavelengths that is
@@ -47,6 +49,7 @@ class EyePaths {
     float baseRadius(const PixelFootprint& footprint, double distance) const;
 
     const World& world_;
+    LightReach lightReach_;
     PhotonSpace space_;
     EyePathSettings settings_;
 };

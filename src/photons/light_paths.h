@@ -40,17 +40,23 @@ class LightPaths {
 };
 
 /// Calls onPath(path, block) for all paths of a pass, in blocks that are the same for any number of threads; those of a block
-/// in order, on one thread. \return the blocks, which began as `empty`
-template <class Block, class OnPath>
-std::vector<Block> traceInBlocks(std::uint64_t paths, const Block& empty, OnPath&& onPath) {
+/// in order, on one thread, with onEnd(block) when they are done. \return the blocks, which began as `empty`
+template <class Block, class OnPath, class OnEnd>
+std::vector<Block> traceInBlocks(std::uint64_t paths, const Block& empty, OnPath&& onPath, OnEnd&& onEnd) {
     constexpr std::uint64_t blockSize = 4096;
     std::vector<Block> blocks((paths + blockSize - 1) / blockSize, empty);
     tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t b) {
         const PlainArithmetic plain;
         for (std::uint64_t path = b * blockSize; path < std::min(paths, (b + 1) * blockSize); ++path)
             onPath(path, blocks[b]);
+        onEnd(blocks[b]);
     });
     return blocks;
+}
+
+template <class Block, class OnPath>
+std::vector<Block> traceInBlocks(std::uint64_t paths, const Block& empty, OnPath&& onPath) {
+    return traceInBlocks(paths, empty, onPath, [](Block&) {});
 }
 
 template <class AtVertex>

@@ -4,6 +4,7 @@
 #include "spectrum/sampled.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace vitrine {
 
@@ -13,6 +14,7 @@ class Photon {
     /// Scattering events that a record can count; longer paths of photons are cut.
     static constexpr int maxDepth = 255;
 
+    /// Not initialised: room for millions of photons is made before they come.
     Photon() = default;
     /// \param p where (PhotonSpace)  \param w unit, back along the path  \param depth scattering events before it landed
     /// \param power of the path at the pass's wavelengths, not yet divided by the number of paths
@@ -30,11 +32,14 @@ class Photon {
     static V3f unpackDirection(std::uint32_t bits);
 
   private:
-    float p_[3] = {0, 0, 0};
-    std::uint32_t packed_ = 0;
-    SampledSpectrum::Lanes power_{};
+    float p_[3]; // first: a search reads eight places at a time
+    std::uint32_t packed_;
+    SampledSpectrum::Lanes power_;
 };
 
-static_assert(sizeof(Photon) == 32);
+static_assert(sizeof(Photon) == 32 && std::is_trivially_default_constructible_v<Photon>);
+
+/// Photons of a pass in the order of its paths, in parts that are the same for any number of threads.
+using PhotonBlocks = std::vector<std::vector<Photon>>;
 
 } // namespace vitrine

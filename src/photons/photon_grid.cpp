@@ -5,35 +5,59 @@
 #include <tbb/parallel_for.h>
 
 #include <bit>
+#include <immintrin.h>
 
 namespace vitrine {
 
 namespace {
 
+/// Photons whose distances are computed at a time.
+constexpr std::uint32_t lanes = 8;
+
 unsigned chosenBits(unsigned asked, std::size_t photons) {
     return asked > 0 ? asked : std::clamp(unsigned(std::bit_width(photons)), 10u, 28u);
 }
 
-/// A photon on its way through the sort.
-struct Keyed {
-    std::uint32_t key, index;
-};
+/// Lanes, as bits, in whose disk the photons p[0] to p[7] lie, by the same operations as distance2InDisk().
+unsigned eightInDisk(const GatherDisk& disk, const Photon* p, float* distance2) {
+    const auto pair = [p](int i) {
+        const __m128 low = _mm_load_ps(reinterpret_cast<const float*>(p + i));
+        return _mm256_insertf128_ps(_mm256_castps128_ps256(low), _mm_load_ps(reinterpret_cast<const float*>(p + i + 4)),
+                                    1);
+    };
+    const __m256 p0 = pair(0), p1 = pair(1), p2 = pair(2), p3 = pair(3);
+    const __m256 xy01 = _mm256_unpacklo_ps(p0, p1), xy23 = _mm256_unpacklo_ps(p2, p3);
+    const __m256 z01 = _mm256_unpackhi_ps(p0, p1), z23 = _mm256_unpackhi_ps(p2, p3);
+    const auto low = [](const __m256& a, const __m256& b) { return _mm256_shuffle_ps(a, b, 0x44); };
+    const auto high = [](const __m256& a, const __m256& b) { return _mm256_shuffle_ps(a, b, 0xee); };
+    const V3f &c = disk.center, &n = disk.normal;
+    const __m256 dx = low(xy01, xy23) - _mm256_set1_ps(c.x), dy = high(xy01, xy23) - _mm256_set1_ps(c.y),
+                 dz = low(z01, z23) - _mm256_set1_ps(c.z);
+    const __m256 off = dx * _mm256_set1_ps(n.x) + dy * _mm256_set1_ps(n.y) + dz * _mm256_set1_ps(n.z);
+    const __m256 d2 = dx * dx + dy * dy + dz * dz - off * off;
+    const __m256 high0 = _mm256_andnot_ps(_mm256_set1_ps(-0.f), off);
+    const __m256 inside =
+        _mm256_and_ps(_mm256_cmp_ps(d2, _mm256_set1_ps(disk.radius2()), _CMP_LT_OQ),
+                      _mm256_cmp_ps(high0, _mm256_set1_ps(GatherDisk::thickness * disk.radius), _CMP_LE_OQ));
+    _mm256_storeu_ps(distance2, _mm256_max_ps(d2, _mm256_setzero_ps()));
+    return unsigned(_mm256_movemask_ps(inside));
+}
 
 } // namespace
 
-PhotonGrid::PhotonGrid(std::vector<Photon> photons, float cellSize, unsigned tableBits)
-    : perUnit_(1 / cellSize), mask_((1u << chosenBits(tableBits, photons.size())) - 1) {
-    sort(photons);
-    x_.resize(photons_.size());
-    y_.resize(photons_.size());
-    z_.resize(photons_.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, photons_.size(), 16384), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
-            const V3f p = photons_[i].p();
-            x_[i] = p.x;
-            y_[i] = p.y;
-            z_[i] = p.z;
-        }
+PhotonGrid::PhotonGrid(PhotonBlocks blocks, float cellSize, unsigned tableBits) : perUnit_(1 / cellSize) {
+    for (const auto& block : blocks)
+        count_ += block.size();
+    const unsigned bits = chosenBits(tableBits, count_), partBits = std::min(bits, 8u), rest = bits - partBits;
+    mask_ = std::uint32_t((std::uint64_t(1) << bits) - 1);
+    photons_ = std::make_unique_for_overwrite<Photon[]>(count_ + lanes);
+    std::fill_n(photons_.get() + count_, lanes,
+                Photon(V3f(0), V3f(0, 0, 1), 0, SampledSpectrum(0.f)));
+    const std::vector<std::uint32_t> partStarts = sortIntoParts(std::move(blocks), rest);
+    starts_.resize(std::size_t(mask_) + 2);
+    starts_.back() = std::uint32_t(count_);
+    tbb::parallel_for(std::size_t(0), partStarts.size() - 1, [&](std::size_t part) {
+        sortPart(partStarts[part], partStarts[part + 1], &starts_[part << rest], rest);
     });
 }
 
@@ -42,56 +66,52 @@ std::uint32_t PhotonGrid::key(std::int32_t x, const Row& row) const {
     return (std::uint32_t(rowKey) + std::uint32_t(x)) & mask_;
 }
 
-/// Two counting sorts, both stable: by the key's highest bits in blocks of photons, then by the whole key within each
-/// of these parts. Blocks and parts are the same for any number of threads.
-void PhotonGrid::sort(const std::vector<Photon>& photons) {
-    constexpr std::size_t blockSize = 32768;
-    const std::size_t count = photons.size(), blocks = (count + blockSize - 1) / blockSize;
-    const unsigned bits = unsigned(std::bit_width(mask_)), partBits = std::min(bits, 8u), rest = bits - partBits;
-    const std::size_t parts = std::size_t(1) << partBits;
+std::uint32_t PhotonGrid::key(const Photon& photon) const {
+    const V3f p = photon.p();
+    return key(cell(p.x), {cell(p.y), cell(p.z)});
+}
 
-    std::vector<Keyed> keyed(count), byPart(count);
-    std::vector<std::uint32_t> offsets(blocks * parts);
-    tbb::parallel_for(std::size_t(0), blocks, [&](std::size_t block) {
+/// Stable, by the keys shifted down: the first of two counting sorts. Each block is freed once read. \return where the parts
+/// begin, and the end
+std::vector<std::uint32_t> PhotonGrid::sortIntoParts(PhotonBlocks blocks, unsigned shift) {
+    const std::size_t parts = (std::size_t(mask_) >> shift) + 1;
+    std::vector<std::uint32_t> offsets(blocks.size() * parts);
+    tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t block) {
         std::uint32_t* const histogram = &offsets[block * parts];
-        for (std::size_t i = block * blockSize; i < std::min(count, (block + 1) * blockSize); ++i) {
-            const V3f p = photons[i].p();
-            keyed[i] = {key(cell(p.x), {cell(p.y), cell(p.z)}), std::uint32_t(i)};
-            ++histogram[keyed[i].key >> rest];
-        }
+        for (const Photon& photon : blocks[block])
+            ++histogram[key(photon) >> shift];
     });
     std::vector<std::uint32_t> partStarts(parts + 1);
     std::uint32_t sum = 0;
     for (std::size_t part = 0; part < parts; ++part) {
         partStarts[part] = sum;
-        for (std::size_t block = 0; block < blocks; ++block)
+        for (std::size_t block = 0; block < blocks.size(); ++block)
             sum += std::exchange(offsets[block * parts + part], sum);
     }
     partStarts[parts] = sum;
-    tbb::parallel_for(std::size_t(0), blocks, [&](std::size_t block) {
+    tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t block) {
         std::uint32_t* const next = &offsets[block * parts];
-        for (std::size_t i = block * blockSize; i < std::min(count, (block + 1) * blockSize); ++i)
-            byPart[next[keyed[i].key >> rest]++] = keyed[i];
+        for (const Photon& photon : blocks[block])
+            photons_[next[key(photon) >> shift]++] = photon;
+        std::vector<Photon>().swap(blocks[block]);
     });
+    return partStarts;
+}
 
-    photons_.resize(count);
-    starts_.assign(std::size_t(mask_) + 2, 0);
-    starts_.back() = std::uint32_t(count);
-    tbb::parallel_for(std::size_t(0), parts, [&](std::size_t part) {
-        std::uint32_t* const starts = &starts_[part << rest];
-        const std::uint32_t places = 1u << rest, placeMask = places - 1;
-        const std::uint32_t begin = partStarts[part], end = partStarts[part + 1];
-        std::vector<std::uint32_t> next(places);
-        for (std::uint32_t i = begin; i < end; ++i)
-            ++next[byPart[i].key & placeMask];
-        std::uint32_t at = begin;
-        for (std::uint32_t place = 0; place < places; ++place) {
-            starts[place] = at;
-            at += std::exchange(next[place], at);
-        }
-        for (std::uint32_t i = begin; i < end; ++i)
-            photons_[next[byPart[i].key & placeMask]++] = photons[byPart[i].index];
-    });
+/// The second, of a part that shares all but the lowest bits of its keys. \param starts of the part's places
+void PhotonGrid::sortPart(std::uint32_t begin, std::uint32_t end, std::uint32_t* starts, unsigned bits) {
+    const std::uint32_t places = 1u << bits, placeMask = places - 1;
+    const std::vector<Photon> unsorted(photons_.get() + begin, photons_.get() + end);
+    std::vector<std::uint32_t> keys(unsorted.size()), next(places);
+    for (std::size_t i = 0; i < unsorted.size(); ++i)
+        ++next[keys[i] = key(unsorted[i]) & placeMask];
+    std::uint32_t at = begin;
+    for (std::uint32_t place = 0; place < places; ++place) {
+        starts[place] = at;
+        at += std::exchange(next[place], at);
+    }
+    for (std::size_t i = 0; i < unsorted.size(); ++i)
+        photons_[next[keys[i]]++] = unsorted[i];
 }
 
 void PhotonGrid::find(std::span<const GatherDisk> disks, NearPhotons& found) const {
@@ -113,8 +133,8 @@ void PhotonGrid::findInDisk(const GatherDisk& disk, NearPhotons& found) const {
     const std::int32_t z0 = lowest(c.z, half.z), z1 = highest(c.z, half.z);
     // A disk far larger than a cell: trying all photons is less work than all cells.
     const double rows = (double(y1) - y0 + 1) * (double(z1) - z0 + 1);
-    if (rows > 64 + double(photons_.size()) / 8) {
-        searchRun(disk, 0, std::uint32_t(photons_.size()), nullptr, found);
+    if (rows > 64 + double(count_) / lanes) {
+        searchRun(disk, 0, std::uint32_t(count_), nullptr, found);
         return;
     }
     for (std::int32_t z = z0; z <= z1; ++z)
@@ -134,35 +154,22 @@ void PhotonGrid::searchRow(const GatherDisk& disk, std::int32_t x0, std::int32_t
 
 void PhotonGrid::searchRun(const GatherDisk& disk, std::uint32_t begin, std::uint32_t end, const Row* row,
                            NearPhotons& found) const {
-    constexpr std::uint32_t lanes = 8;
-    const V3f c = disk.center, n = disk.normal;
-    const float radius2 = disk.radius2(), most = GatherDisk::thickness * disk.radius;
     for (std::uint32_t i = begin; i < end; i += lanes) {
-        const std::uint32_t count = std::min(lanes, end - i);
-        // The same operations as distance2InDisk(), in loops that the compiler turns into vector instructions.
         float distance2[lanes];
-        if (count == lanes) {
-            for (std::uint32_t k = 0; k < lanes; ++k) {
-                const float dx = x_[i + k] - c.x, dy = y_[i + k] - c.y, dz = z_[i + k] - c.z;
-                const float off = dx * n.x + dy * n.y + dz * n.z;
-                const float d2 = dx * dx + dy * dy + dz * dz - off * off;
-                distance2[k] = d2 < radius2 && std::abs(off) <= most ? std::max(0.f, d2) : -1;
-            }
-        } else {
-            for (std::uint32_t k = 0; k < count; ++k)
-                distance2[k] = distance2InDisk(disk, V3f(x_[i + k], y_[i + k], z_[i + k]));
-        }
-        for (std::uint32_t k = 0; k < count; ++k) {
-            if (distance2[k] < 0) continue;
+        unsigned inside = eightInDisk(disk, &photons_[i], distance2);
+        if (end - i < lanes) inside &= (1u << (end - i)) - 1;
+        for (; inside; inside &= inside - 1) {
+            const auto k = unsigned(std::countr_zero(inside));
+            const V3f p = photons_[i + k].p();
             // Of another row, which shares its place of the table.
-            if (row && (cell(y_[i + k]) != row->y || cell(z_[i + k]) != row->z)) continue;
+            if (row && (cell(p.y) != row->y || cell(p.z) != row->z)) continue;
             found.add({i + k, distance2[k]});
         }
     }
 }
 
 std::size_t PhotonGrid::memoryBytes() const {
-    return photons_.capacity() * (sizeof(Photon) + 3 * sizeof(float)) + starts_.capacity() * sizeof(std::uint32_t);
+    return (count_ + lanes) * sizeof(Photon) + starts_.capacity() * sizeof(std::uint32_t);
 }
 
 } // namespace vitrine

@@ -3,6 +3,8 @@
 
 #include "photons/photon_lookup.h"
 
+#include <memory>
+
 namespace vitrine {
 
 /// Rows of cells along x keep their order in the table, so that a disk finds a row of cells as one run of photons. Cells
@@ -13,10 +15,10 @@ class PhotonGrid final : public PhotonLookup {
     /// Built by all threads of the current task arena; the result depends on none of them.
     /// \param cellSize about the radius that is asked for most
     /// \param tableBits the table has 2^tableBits places; 0: as many as there are photons
-    PhotonGrid(std::vector<Photon> photons, float cellSize, unsigned tableBits = 0);
+    PhotonGrid(PhotonBlocks blocks, float cellSize, unsigned tableBits = 0);
 
     /// Sorted by cell.
-    std::span<const Photon> photons() const override { return photons_; }
+    std::span<const Photon> photons() const override { return {photons_.get(), count_}; }
     void find(std::span<const GatherDisk> disks, NearPhotons& found) const override;
     std::size_t memoryBytes() const override;
 
@@ -27,16 +29,18 @@ class PhotonGrid final : public PhotonLookup {
     };
     std::int32_t cell(float x) const { return std::int32_t(std::floor(std::clamp(x * perUnit_, -1e9f, 1e9f))); }
     std::uint32_t key(std::int32_t x, const Row& row) const;
-    void sort(const std::vector<Photon>& photons);
+    std::uint32_t key(const Photon& photon) const;
+    std::vector<std::uint32_t> sortIntoParts(PhotonBlocks blocks, unsigned shift);
+    void sortPart(std::uint32_t begin, std::uint32_t end, std::uint32_t* starts, unsigned bits);
     void findInDisk(const GatherDisk& disk, NearPhotons& found) const;
     void searchRow(const GatherDisk& disk, std::int32_t x0, std::int32_t x1, const Row& row, NearPhotons& found) const;
     void searchRun(const GatherDisk& disk, std::uint32_t begin, std::uint32_t end, const Row* row,
                    NearPhotons& found) const;
 
     float perUnit_; ///< cells per unit length
-    std::uint32_t mask_;
-    std::vector<Photon> photons_;
-    std::vector<float> x_, y_, z_;      ///< of the photons, apart: eight distances are computed at a time
+    std::uint32_t mask_ = 0;
+    std::size_t count_ = 0;
+    std::unique_ptr<Photon[]> photons_; ///< and room behind them for eight to be read at a time
     std::vector<std::uint32_t> starts_; ///< first photon of each place of the table, and the end
 };
 

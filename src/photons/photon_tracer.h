@@ -16,7 +16,8 @@ struct PhotonSettings {
 
 /// What the paths of one pass left.
 struct PhotonPass {
-    std::vector<Photon> photons;   ///< in the order of the paths
+    PhotonBlocks blocks;
+    std::uint64_t photons = 0;     ///< in all blocks
     std::uint64_t landedPaths = 0; ///< paths that left a photon
     std::uint64_t lostExits = 0;   ///< Walk::lostExits()
 };

@@ -31,7 +31,9 @@ class PointTree {
     /// How far from its centre a disk may hold a point: to the rim of its thick edge, and a rounding.
     static float reach(float radius) { return radius * std::sqrt(1 + sqr(GatherDisk::thickness)) * 1.00001f; }
     bool moved(std::span<const GatherDisk> disks) const;
-    void build(std::uint32_t begin, std::uint32_t end);
+    /// Of a tree over so many points.
+    static std::uint32_t nodesFor(std::uint32_t points);
+    void build(std::uint32_t self, std::uint32_t begin, std::uint32_t end);
     void updateRadii(std::span<const GatherDisk> disks);
 
     std::vector<Node> nodes_;

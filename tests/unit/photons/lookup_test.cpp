@@ -26,6 +26,14 @@ std::vector<Photon> somePhotons(int count, const V3f& middle, std::uint64_t seed
     return photons;
 }
 
+PhotonBlocks inBlocks(const std::vector<Photon>& photons, std::size_t size = 777) {
+    PhotonBlocks blocks;
+    for (std::size_t i = 0; i < photons.size(); i += size)
+        blocks.emplace_back(photons.begin() + std::ptrdiff_t(i),
+                            photons.begin() + std::ptrdiff_t(std::min(photons.size(), i + size)));
+    return blocks;
+}
+
 std::vector<GatherDisk> someDisks(int count, const V3f& middle, float radius, std::uint64_t seed) {
     RandomStream random(82, seed);
     std::vector<GatherDisk> disks;
@@ -74,7 +82,7 @@ TEST_P(Lookup, GridFindsWhatIsThere) {
     naive.find(disks, found);
     ASSERT_GT(found.size(), 100u);
     for (const float cellSize : {0.3f * radius, radius, 3 * radius, 100 * radius})
-        expectSame(naive, PhotonGrid(photons, cellSize), disks);
+        expectSame(naive, PhotonGrid(inBlocks(photons), cellSize), disks);
 }
 
 TEST_P(Lookup, CollidingCellsAreKeptApart) {
@@ -83,7 +91,7 @@ TEST_P(Lookup, CollidingCellsAreKeptApart) {
     const auto disks = someDisks(200, middle, radius, 4);
     const NaiveLookup naive(photons);
     for (const unsigned bits : {1u, 2u, 5u, 9u})
-        expectSame(naive, PhotonGrid(photons, radius, bits), disks);
+        expectSame(naive, PhotonGrid(inBlocks(photons), radius, bits), disks);
 }
 
 TEST_P(Lookup, TreeFindsWhatIsThereAlsoAfterRadiiChange) {
@@ -112,7 +120,7 @@ TEST(Lookup, NothingToFind) {
     const NaiveLookup naive({});
     expectSame(naive, PhotonGrid({}, 0.1f), disks);
     expectSame(naive, TreeLookup({}, tree), disks);
-    expectSame(NaiveLookup(somePhotons(10, V3f(0), 8)), PhotonGrid(somePhotons(10, V3f(0), 8), 1), {});
+    expectSame(NaiveLookup(somePhotons(10, V3f(0), 8)), PhotonGrid({somePhotons(10, V3f(0), 8)}, 1), {});
     expectSame(NaiveLookup(somePhotons(10, V3f(0), 8)), TreeLookup(somePhotons(10, V3f(0), 8), tree), {});
 }
 
@@ -123,7 +131,7 @@ TEST(Lookup, GridDoesNotDependOnThreads) {
         const tbb::global_control more(tbb::global_control::max_allowed_parallelism, 7);
         tbb::task_arena arena(threads);
         arena.execute([&] {
-            const PhotonGrid grid(photons, 0.05f);
+            const PhotonGrid grid(inBlocks(photons), 0.05f);
             orders.emplace_back();
             for (const Photon& p : grid.photons())
                 orders.back().push_back(p.power()[0]);
