@@ -1,8 +1,6 @@
 // The reference scenes against pictures made by pbrt-v4 (tests/images/references/README.md): means and 8 x 8 blocks
 // within the noise of both.
-#include "render/session.h"
-#include "scene/scene.h"
-#include "support/npy.h"
+#include "reference_picture.h"
 
 #include <gtest/gtest.h>
 
@@ -28,37 +26,17 @@ Estimate overRuns(const std::vector<double>& values) {
     return e;
 }
 
-/// Mean of a rectangle of one channel.
-template <class At>
-double meanOf(int x0, int y0, int x1, int y1, At&& at) {
-    double sum = 0;
-    for (int y = y0; y < y1; ++y)
-        for (int x = x0; x < x1; ++x)
-            sum += at(x, y);
-    return sum / (double(x1 - x0) * (y1 - y0));
-}
-
 class Reference : public testing::TestWithParam<const char*> {};
 
 TEST_P(Reference, MeanAndBlocksAgreeWithinNoise) {
-    const std::string base = std::string(VITRINE_SOURCE_DIR) + "/tests/images/references/" + GetParam();
-    const auto arrays = test::readNpz(base + ".npz");
-    const test::NpyArray &mean = arrays.at("mean"), &variance = arrays.at("var");
-    const int height = int(mean.shape[0]), width = int(mean.shape[1]);
-    const auto reference = [&](const test::NpyArray& a, int x, int y, int c) {
-        return double(a.values[(std::size_t(y) * std::size_t(width) + std::size_t(x)) * 3 + std::size_t(c)]);
-    };
+    const ReferencePicture reference = readReference(GetParam());
+    const int width = reference.width, height = reference.height;
 
     std::vector<Image> images;
     for (int run = 0; run < runs; ++run) {
         Overrides overrides;
         overrides.seed = std::uint64_t(run);
-        const Scene scene = loadScene(base + ".pbrt", overrides);
-        Film film(scene.film);
-        RenderCounters counters;
-        scene.integrator->addPasses(scene.world, {0, 128}, film, counters);
-        EXPECT_EQ(film.badSamples(), 0u);
-        images.push_back(film.image());
+        images.push_back(renderReference(GetParam(), overrides, {128}).front());
         ASSERT_EQ(images.back().width, width);
         ASSERT_EQ(images.back().height, height);
     }
@@ -70,8 +48,8 @@ TEST_P(Reference, MeanAndBlocksAgreeWithinNoise) {
             for (const auto& image : images)
                 ours.push_back(meanOf(x0, y0, x1, y1, [&](int x, int y) { return double(image.at(x, y, c)); }));
             Estimate theirs;
-            theirs.mean = meanOf(x0, y0, x1, y1, [&](int x, int y) { return reference(mean, x, y, c); });
-            theirs.variance = meanOf(x0, y0, x1, y1, [&](int x, int y) { return reference(variance, x, y, c); }) /
+            theirs.mean = meanOf(x0, y0, x1, y1, [&](int x, int y) { return reference.mean(x, y, c); });
+            theirs.variance = meanOf(x0, y0, x1, y1, [&](int x, int y) { return reference.variance(x, y, c); }) /
                               (double(x1 - x0) * (y1 - y0));
             return std::pair(overRuns(ours), theirs);
         };

@@ -1,7 +1,7 @@
 // What disks do to a picture, against theory: the bias and the variance of a density that is estimated in disks which
 // shrink (Knaus & Zwicker 2011, sections 4 and 5), as figures, not only as orders of magnitude.
 #include "photons/radius_schedule.h"
-#include "scene/scene.h"
+#include "render_text.h"
 #include "support/estimate.h"
 
 #include <fmt/format.h>
@@ -24,21 +24,6 @@ std::string sceneOf(const std::string& integrator, const std::string& settings, 
                        "Material \"diffuse\" \"spectrum reflectance\" [300 {6} 900 {6}]\n"
                        "Shape \"disk\" \"float radius\" 1\n",
                        windowHalf, side, integrator, kernel, settings, light, albedo);
-}
-
-struct Rendered {
-    Image image;
-    double photonsPerPass = 0; ///< that landed
-};
-
-Rendered render(const std::string& text, std::uint64_t seed, std::uint64_t passes) {
-    Overrides overrides;
-    overrides.seed = seed;
-    const Scene scene = loadSceneString(text, "<test>", overrides);
-    Film film(scene.film);
-    RenderCounters counters;
-    scene.integrator->addPasses(scene.world, {0, passes}, film, counters);
-    return {film.image(), double(counters.photons.load()) / double(passes)};
 }
 
 // ---- Bias: a lamp above a floor, whose light falls off round the point below it. ----
@@ -86,8 +71,10 @@ TEST_P(DiskTheory, BiasIsTheMeanOfAllPasses) {
             "LightSource \"spot\" \"rgb I\" [1 1 1] \"point3 from\" [0 0 1] \"point3 to\" [0 0 0] "
             "\"float coneangle\" 30 \"float conedeltaangle\" 5\n");
         test::Estimate shown;
-        for (std::uint64_t seed = 1; seed <= 8; ++seed)
-            shown.add(double(render(text, seed, passes).image.at(0, 0, 1)));
+        for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+            RenderCounters counters;
+            shown.add(double(renderText(text, seed, passes, counters).at(0, 0, 1)));
+        }
 
         double expected = 0;
         for (std::uint64_t pass = 0; pass < passes; ++pass)
@@ -125,11 +112,12 @@ TEST_P(EvenLight, VarianceFallsAsDisksShrink) {
         test::Estimate squares, means;
         double photons = 0;
         for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-            const Rendered rendered = render(text, seed, passes);
-            photons += rendered.photonsPerPass / seeds;
+            RenderCounters counters;
+            const Image image = renderText(text, seed, passes, counters);
+            photons += double(counters.photons) / double(passes * seeds);
             for (int y = 0; y < side; ++y)
                 for (int x = 0; x < side; ++x) {
-                    const double relative = double(rendered.image.at(x, y, 1)) / unbiased;
+                    const double relative = double(image.at(x, y, 1)) / unbiased;
                     means.add(relative);
                     squares.add((relative - 1) * (relative - 1));
                 }

@@ -10,17 +10,22 @@ struct Measured {
     double mean[3], error[3];
 };
 
+/// \throws std::runtime_error if a sample was not finite
+inline Image renderText(const std::string& text, std::uint64_t seed, std::uint64_t passes, RenderCounters& counters) {
+    Overrides overrides;
+    overrides.seed = seed;
+    const Scene scene = loadSceneString(text, "<test>", overrides);
+    Film film(scene.film);
+    scene.integrator->addPasses(scene.world, {0, passes}, film, counters);
+    if (film.badSamples() > 0) throw std::runtime_error("a sample was not finite");
+    return film.image();
+}
+
 inline Measured measure(const std::string& text, std::uint64_t passes = 256, int runs = 8) {
     std::vector<std::array<double, 3>> means;
     for (int run = 0; run < runs; ++run) {
-        Overrides overrides;
-        overrides.seed = std::uint64_t(1000 + run);
-        const Scene scene = loadSceneString(text, "<test>", overrides);
-        Film film(scene.film);
         RenderCounters counters;
-        scene.integrator->addPasses(scene.world, {0, passes}, film, counters);
-        if (film.badSamples() > 0) throw std::runtime_error("a sample was not finite");
-        const Image image = film.image();
+        const Image image = renderText(text, std::uint64_t(1000 + run), passes, counters);
         std::array<double, 3> mean{};
         for (std::size_t i = 0; i < image.pixels.size(); ++i)
             mean[i % 3] += double(image.pixels[i]) * 3 / double(image.pixels.size());
