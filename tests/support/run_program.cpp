@@ -81,7 +81,7 @@ std::string RunningProgram::errorsSoFar() const {
 }
 
 bool RunningProgram::ended() {
-    if (!reaped_) reaped_ = ::waitpid(pid_, &status_, WNOHANG) == pid_;
+    if (!reaped_) reaped_ = ::wait4(pid_, &status_, WNOHANG, &usage_) == pid_;
     return reaped_;
 }
 
@@ -97,6 +97,7 @@ ProgramResult RunningProgram::wait() {
     }
     if (WIFEXITED(status_)) result.exitCode = WEXITSTATUS(status_);
     if (WIFSIGNALED(status_)) result.signal = WTERMSIG(status_);
+    result.peakMemory = std::uint64_t(usage_.ru_maxrss) * 1024;
     result.out = contentOf(out_.get());
     result.err = contentOf(err_.get());
     return result;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <sys/resource.h>
 #include <sys/types.h>
 #include <vector>
 
@@ -14,6 +16,8 @@ struct ProgramResult {
     int exitCode = -1; ///< -1 unless the program ended by itself
     int signal = 0;    ///< that ended it, if one did
     bool timedOut = false;
+    /// Bytes that it held at most. Linux counts what this process held when it started it, too: more than that is its own.
+    std::uint64_t peakMemory = 0;
     std::string out, err;
 
     /// For messages of failed tests.
@@ -53,6 +57,7 @@ class RunningProgram {
     File in_, out_, err_;
     pid_t pid_ = -1;
     int status_ = 0;
+    rusage usage_{};
     bool reaped_ = false;
     std::chrono::steady_clock::time_point deadline_;
 };

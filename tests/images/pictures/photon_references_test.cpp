@@ -4,6 +4,7 @@
 #include "photons/radius_schedule.h"
 #include "reference_picture.h"
 #include "support/estimate.h"
+#include "support/long_run.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -215,7 +216,7 @@ TEST_P(PhotonMeans, AgreeWithinTheDisksLoss) {
     constexpr std::uint64_t passes = 32;
     constexpr double radius = 0.5;
     test::Estimate ratios[3];
-    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    for (std::uint64_t seed = 1; seed <= std::uint64_t(8 * test::longRun()); ++seed) {
         const auto images = renderReference(method.scene, overridesFor(method, seed, 8192, radius), {passes});
         for (int c = 0; c < 3; ++c)
             ratios[c].add(judge.ratio(images.front(), c));

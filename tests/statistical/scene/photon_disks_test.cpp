@@ -3,6 +3,7 @@
 #include "photons/radius_schedule.h"
 #include "render_text.h"
 #include "support/estimate.h"
+#include "support/long_run.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -71,7 +72,7 @@ TEST_P(DiskTheory, BiasIsTheMeanOfAllPasses) {
             "LightSource \"spot\" \"rgb I\" [1 1 1] \"point3 from\" [0 0 1] \"point3 to\" [0 0 0] "
             "\"float coneangle\" 30 \"float conedeltaangle\" 5\n");
         test::Estimate shown;
-        for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        for (std::uint64_t seed = 1; seed <= std::uint64_t(8 * test::longRun()); ++seed) {
             RenderCounters counters;
             shown.add(double(renderText(text, seed, passes, counters).at(0, 0, 1)));
         }
