@@ -16,9 +16,9 @@ namespace vitrine {
 
 namespace {
 
-/// Cells of the photon grid by the radius that disks have most: larger ones mean fewer rows of cells a disk, but more
-/// photons tried (docs/photon-mapping.md, "Lookup").
-constexpr float cellRadii = 2;
+/// Width of the photon grid's rows by the radius that disks have most: wider ones are fewer a disk, but have more photons
+/// to try (docs/photon-mapping.md, "Lookup").
+constexpr float rowRadii = 2;
 
 using Clock = std::chrono::steady_clock;
 
@@ -119,7 +119,7 @@ std::unique_ptr<PhotonLookup> PhotonMappingIntegrator::makeLookup(PhotonBlocks p
     case PhotonSearch::Grid:
         break;
     }
-    return std::make_unique<PhotonGrid>(std::move(photons), cellRadii * typicalRadius_ * radiusFactor);
+    return std::make_unique<PhotonGrid>(std::move(photons), rowRadii * typicalRadius_ * radiusFactor);
 }
 
 void PhotonMappingIntegrator::traceEyePaths(const World& world, std::uint64_t pass, const SampledWavelengths& lambda,

@@ -45,7 +45,7 @@ unsigned eightInDisk(const GatherDisk& disk, const Photon* p, float* distance2) 
 
 } // namespace
 
-PhotonGrid::PhotonGrid(PhotonBlocks blocks, float cellSize, unsigned tableBits) : perUnit_(1 / cellSize) {
+PhotonGrid::PhotonGrid(PhotonBlocks blocks, float rowWidth, unsigned tableBits) : rowsPerUnit_(1 / rowWidth) {
     for (const auto& block : blocks)
         count_ += block.size();
     const unsigned bits = chosenBits(tableBits, count_), partBits = std::min(bits, 8u), rest = bits - partBits;
@@ -68,7 +68,7 @@ std::uint32_t PhotonGrid::key(std::int32_t x, const Row& row) const {
 
 std::uint32_t PhotonGrid::key(const Photon& photon) const {
     const V3f p = photon.p();
-    return key(cell(p.x), {cell(p.y), cell(p.z)});
+    return key(along(p.x), {across(p.y), across(p.z)});
 }
 
 /// Stable, by the keys shifted down: the first of two counting sorts. Each block is freed once read. \return where the parts
@@ -89,7 +89,9 @@ std::vector<std::uint32_t> PhotonGrid::sortIntoParts(PhotonBlocks blocks, unsign
             sum += std::exchange(offsets[block * parts + part], sum);
     }
     partStarts[parts] = sum;
-    tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t block) {
+    // The last first: what was allocated last goes back to the system first, and the photons never take twice their room.
+    tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t i) {
+        const std::size_t block = blocks.size() - 1 - i;
         std::uint32_t* const next = &offsets[block * parts];
         for (const Photon& photon : blocks[block])
             photons_[next[key(photon) >> shift]++] = photon;
@@ -125,12 +127,12 @@ void PhotonGrid::find(std::span<const GatherDisk> disks, NearPhotons& found) con
 void PhotonGrid::findInDisk(const GatherDisk& disk, NearPhotons& found) const {
     // A little more than the disk, as distances are rounded.
     const V3f half = disk.halfExtents() * 1.0001f;
-    const auto lowest = [&](float c, float h) { return cell(c - h - 1e-6f * std::abs(c)); };
-    const auto highest = [&](float c, float h) { return cell(c + h + 1e-6f * std::abs(c)); };
+    const auto lowest = [](float c, float h) { return c - h - 1e-6f * std::abs(c); };
+    const auto highest = [](float c, float h) { return c + h + 1e-6f * std::abs(c); };
     const V3f& c = disk.center;
-    const std::int32_t x0 = lowest(c.x, half.x), x1 = highest(c.x, half.x);
-    const std::int32_t y0 = lowest(c.y, half.y), y1 = highest(c.y, half.y);
-    const std::int32_t z0 = lowest(c.z, half.z), z1 = highest(c.z, half.z);
+    const std::int32_t x0 = along(lowest(c.x, half.x)), x1 = along(highest(c.x, half.x));
+    const std::int32_t y0 = across(lowest(c.y, half.y)), y1 = across(highest(c.y, half.y));
+    const std::int32_t z0 = across(lowest(c.z, half.z)), z1 = across(highest(c.z, half.z));
     // A disk far larger than a cell: trying all photons is less work than all cells.
     const double rows = (double(y1) - y0 + 1) * (double(z1) - z0 + 1);
     if (rows > 64 + double(count_) / lanes) {
@@ -162,7 +164,7 @@ void PhotonGrid::searchRun(const GatherDisk& disk, std::uint32_t begin, std::uin
             const auto k = unsigned(std::countr_zero(inside));
             const V3f p = photons_[i + k].p();
             // Of another row, which shares its place of the table.
-            if (row && (cell(p.y) != row->y || cell(p.z) != row->z)) continue;
+            if (row && (across(p.y) != row->y || across(p.z) != row->z)) continue;
             found.add({i + k, distance2[k]});
         }
     }

@@ -1,4 +1,4 @@
-// Photons in a hash grid: cells of equal size, made by a counting sort.
+// Photons in a hash grid: rows of cells of equal size, made by a counting sort.
 #pragma once
 
 #include "photons/photon_lookup.h"
@@ -13,9 +13,9 @@ namespace vitrine {
 class PhotonGrid final : public PhotonLookup {
   public:
     /// Built by all threads of the current task arena; the result depends on none of them.
-    /// \param cellSize about the radius that is asked for most
+    /// \param rowWidth one to two times the radius that is asked for most
     /// \param tableBits the table has 2^tableBits places; 0: as many as there are photons
-    PhotonGrid(PhotonBlocks blocks, float cellSize, unsigned tableBits = 0);
+    PhotonGrid(PhotonBlocks blocks, float rowWidth, unsigned tableBits = 0);
 
     /// Sorted by cell.
     std::span<const Photon> photons() const override { return {photons_.get(), count_}; }
@@ -27,7 +27,12 @@ class PhotonGrid final : public PhotonLookup {
     struct Row {
         std::int32_t y, z;
     };
-    std::int32_t cell(float x) const { return std::int32_t(std::floor(std::clamp(x * perUnit_, -1e9f, 1e9f))); }
+    /// A row's cells are shorter than it is wide: a run then holds little besides the disk, and costs no more to find.
+    static constexpr float cellsPerWidth = 4;
+
+    static std::int32_t rounded(float x) { return std::int32_t(std::floor(std::clamp(x, -1e9f, 1e9f))); }
+    std::int32_t across(float yOrZ) const { return rounded(yOrZ * rowsPerUnit_); }
+    std::int32_t along(float x) const { return rounded(x * (cellsPerWidth * rowsPerUnit_)); }
     std::uint32_t key(std::int32_t x, const Row& row) const;
     std::uint32_t key(const Photon& photon) const;
     std::vector<std::uint32_t> sortIntoParts(PhotonBlocks blocks, unsigned shift);
@@ -37,7 +42,7 @@ class PhotonGrid final : public PhotonLookup {
     void searchRun(const GatherDisk& disk, std::uint32_t begin, std::uint32_t end, const Row* row,
                    NearPhotons& found) const;
 
-    float perUnit_; ///< cells per unit length
+    float rowsPerUnit_;
     std::uint32_t mask_ = 0;
     std::size_t count_ = 0;
     std::unique_ptr<Photon[]> photons_; ///< and room behind them for eight to be read at a time
