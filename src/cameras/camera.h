@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace vitrine {
 
@@ -44,8 +45,14 @@ class Camera {
     };
     /// \pre the ray starts on the lens (or film, or point)
     virtual Density density(const Ray& ray) const = 0;
-    /// A point on the lens that sees p. Empty when p is out of the picture.
-    virtual std::optional<CameraConnection> connect(const V3d& p, const V2f& u) const = 0;
+    /// A point on the lens that sees p. Empty when p lies further than `margin` pixels beyond the picture's edge:
+    /// filters reach over it.
+    virtual std::optional<CameraConnection> connect(const V3d& p, const V2f& u, const V2f& margin = V2f(0)) const = 0;
+    /// Raster points outside of the picture, within the margin, whose rays are that of `raster` too: pictures of all
+    /// directions close upon themselves.
+    virtual std::vector<V2d> repeated(const V2d& raster, const V2f& margin) const {
+        return (void)raster, (void)margin, std::vector<V2d>();
+    }
     /// Middle of the lens, world space (the interior that the camera stands in is looked for from here).
     virtual V3d position() const = 0;
     /// Whether rays start at position() or, on a lens, near it: then all start in the solids that lie there.

@@ -28,10 +28,10 @@ std::optional<CameraRay> OrthographicCamera::generate(const CameraSample& sample
     return CameraRay{parallel.space.toWorld(V3d(film.x, film.y, 0), V3d(0, 0, 1)), 1};
 }
 
-Camera::Density OrthographicCamera::Parallel::densityAt(const V3d& cameraPoint) const {
+Camera::Density OrthographicCamera::Parallel::densityAt(const V3d& cameraPoint, const V2f& margin) const {
     Density result;
     result.raster = window.rasterFromPlane(V2d(cameraPoint.x, cameraPoint.y));
-    if (!window.contains(result.raster)) return {};
+    if (!window.contains(result.raster, margin)) return {};
     const double position = 1 / (window.area() * space.planeArea());
     result.position = float(position);
     result.direction = 1;
@@ -45,14 +45,14 @@ Camera::Density OrthographicCamera::density(const Ray& ray) const {
     const auto& parallel = std::get<Parallel>(projection_);
     const V3d d = parallel.space.directionToCamera(ray.d);
     if (!(d.z > 0) || sqr(d.x) + sqr(d.y) > sqr(parallelTolerance)) return {};
-    return parallel.densityAt(parallel.space.pointToCamera(ray.o));
+    return parallel.densityAt(parallel.space.pointToCamera(ray.o), V2f(0));
 }
 
-std::optional<CameraConnection> OrthographicCamera::connect(const V3d& p, const V2f& u) const {
-    if (const auto* lens = std::get_if<ThinLens>(&projection_)) return lens->connect(p, u);
+std::optional<CameraConnection> OrthographicCamera::connect(const V3d& p, const V2f& u, const V2f& margin) const {
+    if (const auto* lens = std::get_if<ThinLens>(&projection_)) return lens->connect(p, u, margin);
     const auto& parallel = std::get<Parallel>(projection_);
     const V3d inCamera = parallel.space.pointToCamera(p);
-    const Density seen = parallel.densityAt(inCamera);
+    const Density seen = parallel.densityAt(inCamera, margin);
     if (!(inCamera.z > 0) || !(seen.we > 0)) return {};
     CameraConnection result;
     result.wi = toFloat(-parallel.space.toWorld(V3d(0, 0, 0), V3d(0, 0, 1)).d);

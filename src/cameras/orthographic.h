@@ -35,7 +35,7 @@ class OrthographicCamera final : public Camera {
     /// 1e-6), as a pinhole's position does for perspective cameras.
     Density density(const Ray& ray) const override;
     /// Without a lens the only direction: pdf 1, and we / pdf is the importance per area across the rays.
-    std::optional<CameraConnection> connect(const V3d& p, const V2f& u) const override;
+    std::optional<CameraConnection> connect(const V3d& p, const V2f& u, const V2f& margin = V2f(0)) const override;
     V3d position() const override;
     bool startsAtPosition() const override { return !std::holds_alternative<Parallel>(projection_); }
 
@@ -45,7 +45,7 @@ class OrthographicCamera final : public Camera {
         CameraSpace space;
         RasterWindow window;
 
-        Density densityAt(const V3d& cameraPoint) const;
+        Density densityAt(const V3d& cameraPoint, const V2f& margin) const;
     };
     static std::variant<Parallel, ThinLens> project(const Transform& worldFromCamera, const V2i& resolution,
                                                     const Settings& settings);

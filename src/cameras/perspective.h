@@ -28,7 +28,9 @@ class PerspectiveCamera final : public Camera {
     std::optional<CameraRay> generate(const CameraSample& sample) const override { return lens_.generate(sample); }
     /// A pinhole's position has density 1. Rays are taken to start on the lens.
     Density density(const Ray& ray) const override { return lens_.density(ray); }
-    std::optional<CameraConnection> connect(const V3d& p, const V2f& u) const override { return lens_.connect(p, u); }
+    std::optional<CameraConnection> connect(const V3d& p, const V2f& u, const V2f& margin = V2f(0)) const override {
+        return lens_.connect(p, u, margin);
+    }
     V3d position() const override { return lens_.position(); }
 
   private:

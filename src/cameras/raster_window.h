@@ -23,9 +23,10 @@ class RasterWindow {
 
     V2d planeFromRaster(const V2d& raster) const { return origin_ + raster * perPixel_; }
     V2d rasterFromPlane(const V2d& p) const { return (p - origin_) / perPixel_; }
-    /// Whether the raster point lies in the picture.
-    bool contains(const V2d& raster) const {
-        return raster.x >= 0 && raster.y >= 0 && raster.x < resolution_.x && raster.y < resolution_.y;
+    /// Whether the raster point lies in the picture, or so many pixels beyond its edges.
+    bool contains(const V2d& raster, const V2f& margin) const {
+        return raster.x >= -margin.x && raster.y >= -margin.y && raster.x < resolution_.x + margin.x &&
+               raster.y < resolution_.y + margin.y;
     }
     /// Of the rectangle, in the plane's units.
     double area() const { return std::abs(perPixel_.x * perPixel_.y) * resolution_.x * resolution_.y; }

@@ -61,7 +61,7 @@ Camera::Density SphericalCamera::density(const Ray& ray) const {
     return result;
 }
 
-std::optional<CameraConnection> SphericalCamera::connect(const V3d& p, const V2f&) const {
+std::optional<CameraConnection> SphericalCamera::connect(const V3d& p, const V2f&, const V2f&) const {
     CameraConnection result;
     result.pLens = position();
     const V3d toCamera = result.pLens - p;
@@ -74,6 +74,35 @@ std::optional<CameraConnection> SphericalCamera::connect(const V3d& p, const V2f
     result.we = seen.we;
     result.pdf = float(distance2);
     return result;
+}
+
+std::vector<V2d> SphericalCamera::repeated(const V2d& raster, const V2f& margin) const {
+    const V2d lo(margin.x, margin.y), hi = resolution_ - lo;
+    if (raster.x >= lo.x && raster.y >= lo.y && raster.x < hi.x && raster.y < hi.y) return {};
+    const V2d p = raster / resolution_;
+    std::vector<V2d> all;
+    if (mapping_ == Mapping::EqualArea) {
+        // An edge is crossed back into the picture, mirrored in the edge's middle; two edges, about a corner.
+        all = {V2d(-p.x, 1 - p.y), V2d(2 - p.x, 1 - p.y), V2d(1 - p.x, -p.y), V2d(1 - p.x, 2 - p.y)};
+        for (const double x : {-1., 1.})
+            for (const double y : {-1., 1.})
+                all.push_back(p + V2d(x, y));
+    } else {
+        // Once round; and past the poles, half round.
+        for (const double turn : {-1., 1.})
+            all.push_back(p + V2d(turn, 0));
+        for (const double turn : {-1.5, -0.5, 0.5, 1.5})
+            for (const double pole : {0., 2.})
+                all.push_back(V2d(p.x + turn, pole - p.y));
+    }
+    const auto isOff = [&](const V2d& q) {
+        const V2d at = q * resolution_;
+        return at.x < -lo.x || at.y < -lo.y || at.x >= resolution_.x + lo.x || at.y >= resolution_.y + lo.y;
+    };
+    std::erase_if(all, isOff);
+    for (V2d& q : all)
+        q = q * resolution_;
+    return all;
 }
 
 } // namespace vitrine

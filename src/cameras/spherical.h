@@ -21,7 +21,9 @@ class SphericalCamera final : public Camera {
     std::optional<CameraRay> generate(const CameraSample& sample) const override;
     /// The position has density 1; the importance has no cosine, as a point has no normal.
     Density density(const Ray& ray) const override;
-    std::optional<CameraConnection> connect(const V3d& p, const V2f& u) const override;
+    /// All points are in the picture: the margin is that of repeated().
+    std::optional<CameraConnection> connect(const V3d& p, const V2f& u, const V2f& margin = V2f(0)) const override;
+    std::vector<V2d> repeated(const V2d& raster, const V2f& margin) const override;
     V3d position() const override { return space_.pointToWorld(V3d(0, 0, 0)); }
 
   private:

@@ -32,14 +32,14 @@ CameraRay ThinLens::generate(const CameraSample& sample) const {
     return {space_.toWorld(o, pinhole * focalDistance_ - o), 1};
 }
 
-Camera::Density ThinLens::density(const Ray& ray) const {
+Camera::Density ThinLens::density(const Ray& ray, const V2f& margin) const {
     const V3d d = space_.directionToCamera(ray.d);
     if (!(d.z > 0)) return {};
     V3d unit = d / d.z;
     if (lensRadius_ > 0) unit = unit + space_.pointToCamera(ray.o) / focalDistance_;
     Camera::Density result;
     result.raster = window_.rasterFromPlane(V2d(unit.x, unit.y));
-    if (!window_.contains(result.raster)) return {};
+    if (!window_.contains(result.raster, margin)) return {};
     const double direction = space_.solidAngleRatio(d) / (window_.area() * d.z * d.z * d.z);
     result.position = float(1 / lensArea_);
     result.direction = float(direction);
@@ -47,14 +47,14 @@ Camera::Density ThinLens::density(const Ray& ray) const {
     return result;
 }
 
-std::optional<CameraConnection> ThinLens::connect(const V3d& p, const V2f& u) const {
+std::optional<CameraConnection> ThinLens::connect(const V3d& p, const V2f& u, const V2f& margin) const {
     CameraConnection result;
     result.pLens = space_.pointToWorld(lensPoint(u));
     const V3d toLens = result.pLens - p;
     const double distance2 = toLens.length2();
     if (!(distance2 > 0)) return {};
     const V3d wi = toLens / std::sqrt(distance2);
-    const Camera::Density seen = density(Ray{result.pLens, -wi});
+    const Camera::Density seen = density(Ray{result.pLens, -wi}, margin);
     if (!(seen.we > 0)) return {};
     result.wi = toFloat(wi);
     result.raster = seen.raster;

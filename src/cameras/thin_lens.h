@@ -22,8 +22,9 @@ class ThinLens {
     ThinLens(const CameraSpace& space, const RasterWindow& unitWindow, double lensRadius, double focalDistance);
 
     CameraRay generate(const CameraSample& sample) const;
-    Camera::Density density(const Ray& ray) const;
-    std::optional<CameraConnection> connect(const V3d& p, const V2f& u) const;
+    /// \param margin pixels around the picture that count as well
+    Camera::Density density(const Ray& ray, const V2f& margin = V2f(0)) const;
+    std::optional<CameraConnection> connect(const V3d& p, const V2f& u, const V2f& margin) const;
     V3d position() const { return space_.pointToWorld(V3d(0, 0, 0)); }
 
   private:

@@ -52,7 +52,8 @@ void LightTracingIntegrator::addSeenLights(const World& world, std::uint64_t pas
             }
             light *= camera->weight;
         }
-        film.add(pixel, light, lambda, at.weight, unsigned(pass & 1));
+        // Splats count by the number of passes: a filter with negative lobes must not change what they are divided by.
+        film.add(pixel, light * at.weight, lambda, 1, unsigned(pass & 1));
     };
     forEachPixel(settings.cropMin, settings.cropMax, renderPixel,
                  [&](int pixels) { counters.samples.fetch_add(std::uint64_t(pixels), std::memory_order_relaxed); });
@@ -62,7 +63,9 @@ void LightTracingIntegrator::connect(const World& world, const Vertex& vertex, c
                                      int hero, SampleStream& stream, const Film& film, Splats& splats) const {
     if (!bsdf.isNonSpecular()) return;
     const SurfacePoint& point = vertex.point();
-    const auto camera = world.camera->connect(point.p, stream.get2D());
+    const FilmSettings& settings = film.settings();
+    const V2f& radius = settings.filter.radius;
+    const auto camera = world.camera->connect(point.p, stream.get2D(), radius);
     if (!camera) return;
     const V3f wo = vertex.frame.toLocal(vertex.wo), wi = vertex.frame.toLocal(camera->wi);
     const SampledSpectrum f = bsdf.f(wo, wi, TransportMode::Importance) *
@@ -71,20 +74,24 @@ void LightTracingIntegrator::connect(const World& world, const Vertex& vertex, c
     // Without a lens rays may come from infinitely far: then there is no lens point to stop at.
     const SampledSpectrum arriving = shadowTransmittance(world, vertex, shadowTo(camera->pLens, point.p), camera->wi,
                                                          walk.interior(), walk.lambda());
-    const FilmSettings& settings = film.settings();
     const double pixels = double(settings.resolution.x) * double(settings.resolution.y);
     const double share = double(camera->we) / double(camera->pdf) * pixels / double(pathsPerPass_);
     const SampledSpectrum value = rotatedBack(walk.beta * f * arriving * float(share), hero);
     if (value.isBlack()) return;
-    // To every pixel whose filter reaches here.
-    const V2f& radius = settings.filter.radius;
-    const V2d from = camera->raster - V2d(radius.x, radius.y) - V2d(0.5),
-              to = camera->raster + V2d(radius.x, radius.y) - V2d(0.5);
+    splat(camera->raster, value, film, splats);
+    for (const V2d& raster : world.camera->repeated(camera->raster, radius))
+        splat(raster, value, film, splats);
+}
+
+void LightTracingIntegrator::splat(const V2d& raster, const SampledSpectrum& value, const Film& film, Splats& splats) {
+    const FilmSettings& settings = film.settings();
+    const V2d reach(settings.filter.radius.x, settings.filter.radius.y);
+    const V2d from = raster - reach - V2d(0.5), to = raster + reach - V2d(0.5);
     for (int y = std::max(settings.cropMin.y, int(std::ceil(from.y)));
          y <= std::min(settings.cropMax.y - 1, int(std::floor(to.y))); ++y)
         for (int x = std::max(settings.cropMin.x, int(std::ceil(from.x)));
              x <= std::min(settings.cropMax.x - 1, int(std::floor(to.x))); ++x) {
-            const V2d offset = camera->raster - V2d(x + 0.5, y + 0.5);
+            const V2d offset = raster - V2d(x + 0.5, y + 0.5);
             const float weight = film.filter()(V2f(float(offset.x), float(offset.y)));
             if (weight != 0)
                 splats.strips[std::size_t((y - settings.cropMin.y) / stripRows)].push_back({V2i(x, y), value * weight});
@@ -98,9 +105,8 @@ void LightTracingIntegrator::addLightPaths(const World& world, std::uint64_t pas
         pathsPerPass_, Splats{std::vector<std::vector<Splat>>(strips)}, [&](std::uint64_t path, Splats& splats) {
             splats.lostExits += paths_->follow(
                 pass, path, lambda,
-                [&](const Vertex& vertex, const Bsdf& bsdf, const Walk& walk, int, int hero, SampleStream& stream) {
-                    connect(world, vertex, bsdf, walk, hero, stream, film, splats);
-                });
+                [&](const Vertex& vertex, const Bsdf& bsdf, const Walk& walk, const LightPaths::Arrival& arrival,
+                    SampleStream& stream) { connect(world, vertex, bsdf, walk, arrival.hero, stream, film, splats); });
         });
     // No pixel belongs to two strips, so nothing is locked; the film's sums do not depend on order.
     tbb::parallel_for(std::size_t(0), strips, [&](std::size_t strip) {

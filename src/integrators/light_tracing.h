@@ -14,6 +14,8 @@ namespace vitrine {
 /// |----------|---------|---------|---------------|---------|
 /// | maxdepth | integer | bounces | 5             | scattering events a path may have |
 /// | photonsperiteration | integer |  | -1         | light paths a pass; -1: as many as the picture has pixels. Not in pbrt-v4 |
+/// | iterations | integer |       | the sampler's pixelsamples | passes. Not in pbrt-v4 |
+/// | lightsampler | string  |     | "power"       | which light a path starts from: "uniform": all alike; "power": mostly by power. pbrt-v4's "bvh" and "exhaustive" are read and mean "power" |
 /// | seed     | integer |         | the sampler's | other seeds give other noise. Not in pbrt-v4 |
 struct LightTracingSettings {
     int maxDepth = 5;
@@ -36,6 +38,8 @@ class LightTracingIntegrator final : public Integrator {
                        RenderCounters& counters) const;
     void connect(const World& world, const Vertex& vertex, const Bsdf& bsdf, const Walk& walk, int hero,
                  SampleStream& stream, const Film& film, Splats& splats) const;
+    /// To every pixel whose filter reaches the point.
+    static void splat(const V2d& raster, const SampledSpectrum& value, const Film& film, Splats& splats);
     void addLightPaths(const World& world, std::uint64_t pass, const SampledWavelengths& lambda, Film& film,
                        RenderCounters& counters) const;
 

@@ -68,7 +68,7 @@ void PhotonMappingIntegrator::check(const World& world) const {
         if (surface.isInterface()) return false;
         SampledWavelengths lambda = SampledWavelengths::visible(0.5f);
         const Bsdf bsdf = surface.material->bsdf(MaterialPoint{}, lambda);
-        return gatherProbability(bsdf) > 0;
+        return gatherProbability(bsdf, LightHistory::Hidden) > 0;
     };
     if (std::none_of(world.surfaces.begin(), world.surfaces.end(), gathers))
         throw std::invalid_argument("photon mapping needs a surface that is not polished, for photons to land on: "

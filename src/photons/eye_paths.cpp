@@ -26,7 +26,15 @@ struct EyePaths::Path {
     float branch = 1; ///< share of the light that this branch carries
     LastBounce last{};
     bool ends = false; ///< it has gathered and only looks for light that its last direction meets
+    /// At its last point that is not polished: what polished surfaces bring from lights has counted there.
+    bool causticsGathered = false;
 };
+
+EyePaths::EyePaths(const World& world, const EyePathSettings& settings)
+    : world_(world), lightReach_(world), space_(world), settings_(settings) {
+    for (const LightPtr& light : world.lights.lights())
+        hasHiddenLight_ |= light->isDelta();
+}
 
 PixelFootprint PixelFootprint::of(const Camera& camera, const CameraSample& sample, const Ray& ray) {
     // Where the picture ends the pixel on the other side serves.
@@ -44,7 +52,7 @@ float EyePaths::baseRadius(const PixelFootprint& footprint, double distance) con
     return float(scene > 0 ? std::clamp(radius, leastRadius * scene, largestRadius * scene) : radius);
 }
 
-void EyePaths::gather(const Path& path, const Vertex& vertex, const Bsdf& bsdf,
+void EyePaths::gather(const Path& path, const Vertex& vertex, const Bsdf& bsdf, LightHistory from,
                       std::vector<GatherPoint>& points) const {
     const SurfacePoint& at = vertex.point();
     points.push_back({{space_.fromWorld(at.p), at.ng, baseRadius(path.footprint, path.distance)},
@@ -53,7 +61,8 @@ void EyePaths::gather(const Path& path, const Vertex& vertex, const Bsdf& bsdf,
                       bsdf,
                       path.hero,
                       path.walk.beta,
-                      path.depth});
+                      path.depth,
+                      from});
 }
 
 bool EyePaths::forks(const Path& path, const Bsdf& bsdf) const {
@@ -76,12 +85,13 @@ void EyePaths::follow(Path path, SampleStream& stream, std::vector<GatherPoint>&
     const int lostBefore = walk.lostExits();
     Vertex vertex;
     for (;;) {
+        const bool counts = !(path.causticsGathered && path.last.specular);
         if (!walk.advance(vertex)) {
-            light += walk.beta * escapedLight(world_, walk, path.last);
+            if (counts) light += walk.beta * escapedLight(world_, walk, path.last);
             break;
         }
         path.distance += vertex.hit.s;
-        light += walk.beta * emittedLight(world_, walk, vertex, path.last);
+        if (counts) light += walk.beta * emittedLight(world_, walk, vertex, path.last);
         if (!vertex.scatters) {
             walk.passThrough(vertex);
             continue;
@@ -95,15 +105,21 @@ void EyePaths::follow(Path path, SampleStream& stream, std::vector<GatherPoint>&
         const float uLobe = stream.get1D();
         const V2f uDirection = stream.get2D();
 
-        const bool gathers = uGather < gatherProbability(bsdf);
+        const bool gathers = uGather < gatherProbability(bsdf, LightHistory::Scattered);
         // Where photons bring the direct light nothing else does.
         const bool asksLights = bsdf.isNonSpecular() && !(gathers && settings_.directByPhotons);
         if (asksLights && !world_.lights.empty())
             light += walk.beta * directLight(world_, walk, vertex, bsdf, uLight, uDirect);
         if (gathers) {
-            gather(path, vertex, bsdf, points);
+            gather(path, vertex, bsdf, LightHistory::Scattered, points);
             if (settings_.directByPhotons) break;
             path.ends = true;
+        } else if (bsdf.isNonSpecular()) {
+            path.causticsGathered = uGather < gatherProbability(bsdf, LightHistory::Caustic);
+            if (path.causticsGathered)
+                gather(path, vertex, bsdf, LightHistory::Caustic, points);
+            else if (hasHiddenLight_)
+                gather(path, vertex, bsdf, LightHistory::Hidden, points);
         }
         ++path.depth;
 

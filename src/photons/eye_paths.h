@@ -28,8 +28,7 @@ struct PixelFootprint {
 
 class EyePaths {
   public:
-    EyePaths(const World& world, const EyePathSettings& settings)
-        : world_(world), lightReach_(world), space_(world), settings_(settings) {}
+    EyePaths(const World& world, const EyePathSettings& settings);
 
     /// Follows a camera ray. Points that gather are appended to `points`.
     /// \param lambda hero first  \param hero which of the pass's wavelengths that is
@@ -45,13 +44,15 @@ class EyePaths {
     void follow(Path path, SampleStream& stream, std::vector<GatherPoint>& points, SampledSpectrum& light,
                 std::uint64_t& lostExits) const;
     bool forks(const Path& path, const Bsdf& bsdf) const;
-    void gather(const Path& path, const Vertex& vertex, const Bsdf& bsdf, std::vector<GatherPoint>& points) const;
+    void gather(const Path& path, const Vertex& vertex, const Bsdf& bsdf, LightHistory from,
+                std::vector<GatherPoint>& points) const;
     float baseRadius(const PixelFootprint& footprint, double distance) const;
 
     const World& world_;
     LightReach lightReach_;
     PhotonSpace space_;
     EyePathSettings settings_;
+    bool hasHiddenLight_ = false; ///< LightHistory::Hidden may occur
 };
 
 } // namespace vitrine

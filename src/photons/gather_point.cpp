@@ -22,11 +22,31 @@ bool seen(const World& world, const PhotonSpace& space, const GatherDisk& disk, 
     return !world.caster->occluded(Ray{down + off, -off, 0.9});
 }
 
+/// 0 below `from`, 1 above `to`, smooth between.
+float rise(float x, float from, float to) {
+    const float t = std::clamp((x - from) / (to - from), 0.f, 1.f);
+    return t * t * (3 - 2 * t);
+}
+
 } // namespace
+
+float gatherProbability(const Bsdf& bsdf, LightHistory history) {
+    if (!bsdf.isNonSpecular()) return 0;
+    const float roughness = bsdf.roughness();
+    switch (history) {
+    case LightHistory::Scattered:
+        return rise(roughness, 0.15f, 0.45f);
+    case LightHistory::Caustic:
+        return rise(roughness, 0.02f, 0.1f);
+    case LightHistory::Hidden:
+        break;
+    }
+    return 1;
+}
 
 SampledSpectrum Gatherer::contribution(const GatherPoint& point, const V3f& wo, const Photon& photon, float distance2,
                                        float radius2) const {
-    if (point.depth + 1 + photon.depth() > maxDepth) return SampledSpectrum(0.f);
+    if (point.depth + 1 + photon.depth() > maxDepth || photon.history() < point.from) return SampledSpectrum(0.f);
     const V3f w = photon.w(), wi = point.frame.toLocal(w);
     const SampledSpectrum f = point.bsdf.f(wo, wi, TransportMode::Radiance);
     // Photons lie as densely as the geometric cosine says; the light reflected goes by the shading cosine.

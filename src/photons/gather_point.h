@@ -7,23 +7,21 @@
 
 namespace vitrine {
 
-/// At a point that scatters with this BSDF an eye path gathers photons with this probability, else it goes on by the
-/// BSDF. Both estimate the same light, so any probability is right; this one rises smoothly with roughness, from
-/// surfaces so shiny that few photons lie in the lobe to those that the BSDF's own directions would sample badly.
-inline float gatherProbability(const Bsdf& bsdf) {
-    constexpr float shiny = 0.05f, rough = 0.35f;
-    const float t = std::clamp((bsdf.roughness() - shiny) / (rough - shiny), 0.f, 1.f);
-    return t * t * (3 - 2 * t);
-}
+/// At a point that scatters with this BSDF an eye path gathers photons of this history with this probability; else it
+/// finds their light by going on in a direction of the BSDF's. Both estimate the same light, so any probability is right
+/// for what both can find; what only photons find they always bring. The probabilities rise smoothly with roughness
+/// (docs/decisions.md, "Photon mapping", says where from and where to).
+float gatherProbability(const Bsdf& bsdf, LightHistory history);
 
 struct GatherPoint {
     GatherDisk disk; ///< radius: the base radius
     Frame frame;     ///< shading
     V3f wo;          ///< unit, world, towards the eye
     Bsdf bsdf;
-    int hero = 0;         ///< of its path among the pass's wavelengths
-    SampledSpectrum beta; ///< what the eye sees of radiance that leaves towards wo, hero first
-    int depth = 0;        ///< scattering events between it and the eye
+    int hero = 0;                                ///< of its path among the pass's wavelengths
+    SampledSpectrum beta;                        ///< what the eye sees of radiance that leaves towards wo, hero first
+    int depth = 0;                               ///< scattering events between it and the eye
+    LightHistory from = LightHistory::Scattered; ///< photons of this history and the later ones count
 };
 
 /// What photons of one disk are gathered with.

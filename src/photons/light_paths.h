@@ -5,6 +5,7 @@
 #include "core/sampler.h"
 #include "paths/pass_wavelengths.h"
 #include "paths/walk.h"
+#include "photons/photon.h"
 
 #include <tbb/parallel_for.h>
 
@@ -13,11 +14,18 @@ namespace vitrine {
 /// Light paths, each a pure function of (seed, pass, path). Photons and light tracing differ in what they do at vertices.
 class LightPaths {
   public:
+    /// How a path comes to a vertex.
+    struct Arrival {
+        int depth = 0; ///< scattering events before
+        int hero = 0;  ///< of the path, among the pass's wavelengths
+        LightHistory history = LightHistory::Scattered;
+    };
+
     /// \param world outlives this; must have lights  \param maxVertices surfaces a path may scatter at
     LightPaths(const World& world, int maxVertices, const SamplerSettings& sampler);
 
-    /// Follows a path and calls atVertex(vertex, bsdf, walk, depth, hero, stream) at each surface that it meets and that
-    /// scatters; depth counts from 0. walk.beta is the power that arrives there, hero first.
+    /// Follows a path and calls atVertex(vertex, bsdf, walk, arrival, stream) at each surface that it meets and that
+    /// scatters. walk.beta is the power that arrives there, hero first.
     /// \param lambda of the pass  \return Walk::lostExits()
     template <class AtVertex>
     int follow(std::uint64_t pass, std::uint64_t path, const SampledWavelengths& lambda, AtVertex&& atVertex) const;
@@ -65,16 +73,17 @@ int LightPaths::follow(std::uint64_t pass, std::uint64_t path, const SampledWave
     SampleStream numbers = stream(pass, path);
     const auto chosen = world_.lights.sample(numbers.get1D());
     const V2f uPosition = numbers.get2D(), uDirection = numbers.get2D();
-    const int hero = heroOf(path, pass);
-    const SampledWavelengths own = lambda.rotated(hero);
+    Arrival arrival{0, heroOf(path, pass), LightHistory::Scattered};
+    const SampledWavelengths own = lambda.rotated(arrival.hero);
     const auto emission = chosen.light->emit(uPosition, uDirection, own);
     if (!emission) return 0;
     Walk walk(world_, TransportMode::Importance, own, interiorRound(chosen.light, emission->ray));
     walk.ray = emission->ray;
     walk.beta = emission->power / chosen.probability;
 
+    bool polished = true; // all surfaces so far
     Vertex vertex;
-    for (int depth = 0; depth < maxVertices_ && walk.advance(vertex);) {
+    for (int& depth = arrival.depth; depth < maxVertices_ && walk.advance(vertex);) {
         if (!vertex.scatters) {
             walk.passThrough(vertex);
             continue;
@@ -82,12 +91,18 @@ int LightPaths::follow(std::uint64_t pass, std::uint64_t path, const SampledWave
         const Bsdf bsdf = walk.bsdfAt(vertex);
         const std::uint32_t dimension = emissionDimensions + std::uint32_t(depth) * bounceDimensions;
         numbers.setDimension(dimension);
-        atVertex(vertex, bsdf, walk, depth, hero, numbers);
+        if (depth > 0 && polished)
+            arrival.history = chosen.light->isDelta() ? LightHistory::Hidden : LightHistory::Caustic;
+        else
+            arrival.history = LightHistory::Scattered;
+        atVertex(vertex, bsdf, walk, arrival, numbers);
         if (++depth == maxVertices_) break;
         numbers.setDimension(dimension + vertexDimensions);
         const float power = walk.beta.average();
         const float uLobe = numbers.get1D();
-        if (!walk.scatter(vertex, bsdf, uLobe, numbers.get2D())) break;
+        const auto scattered = walk.scatter(vertex, bsdf, uLobe, numbers.get2D());
+        if (!scattered) break;
+        polished &= scattered->specular;
         // Survival by what the scattering left keeps the power of photons even: many alike serve better than a few strong.
         const float survival = walk.beta.average() / power;
         if (survival < 1) {

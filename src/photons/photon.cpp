@@ -4,7 +4,7 @@ namespace vitrine {
 
 namespace {
 
-constexpr float steps = 4094; // even: the axes are represented exactly
+constexpr float steps = 2046; // even: the axes are represented exactly
 
 std::uint32_t quantize(float x) {
     return std::uint32_t((std::clamp(x, -1.f, 1.f) * 0.5f + 0.5f) * steps + 0.5f);
@@ -28,11 +28,11 @@ std::uint32_t Photon::packDirection(const V3f& w) {
         y = foldedBack(y, x);
         x = folded;
     }
-    return quantize(x) << 12 | quantize(y);
+    return quantize(x) << 11 | quantize(y);
 }
 
 V3f Photon::unpackDirection(std::uint32_t bits) {
-    float x = restore(bits >> 12 & 4095), y = restore(bits & 4095);
+    float x = restore(bits >> 11 & 2047), y = restore(bits & 2047);
     const float z = 1 - std::abs(x) - std::abs(y);
     if (z < 0) {
         const float folded = foldedBack(x, y);

@@ -8,6 +8,13 @@
 
 namespace vitrine {
 
+/// How light came to a photon's place, in the order in which eye paths find it worse by themselves.
+enum class LightHistory : std::uint8_t {
+    Scattered, ///< last through a surface that is not polished, or straight from the light
+    Caustic,   ///< by polished surfaces alone, from a light that eye paths can run into
+    Hidden     ///< by polished surfaces alone, from a point or a single direction: only photons find it
+};
+
 /// 32 bytes: a pass keeps several for each path of photons.
 class Photon {
   public:
@@ -18,15 +25,17 @@ class Photon {
     Photon() = default;
     /// \param p where (PhotonSpace)  \param w unit, back along the path  \param depth scattering events before it landed
     /// \param power of the path at the pass's wavelengths, not yet divided by the number of paths
-    Photon(const V3f& p, const V3f& w, int depth, const SampledSpectrum& power)
-        : p_{p.x, p.y, p.z}, packed_(packDirection(w) << 8 | std::uint32_t(depth)), power_(power.lanes()) {}
+    Photon(const V3f& p, const V3f& w, int depth, LightHistory history, const SampledSpectrum& power)
+        : p_{p.x, p.y, p.z}, packed_(packDirection(w) << 10 | std::uint32_t(history) << 8 | std::uint32_t(depth)),
+          power_(power.lanes()) {}
 
     V3f p() const { return V3f(p_[0], p_[1], p_[2]); }
-    V3f w() const { return unpackDirection(packed_ >> 8); }
+    V3f w() const { return unpackDirection(packed_ >> 10); }
     int depth() const { return int(packed_ & 255); }
+    LightHistory history() const { return LightHistory(packed_ >> 8 & 3); }
     SampledSpectrum power() const { return SampledSpectrum(power_); }
 
-    /// Octahedral, 12 bits a coordinate: at most 0.06 degrees off (Cigolle et al. 2014, "A Survey of Efficient
+    /// Octahedral, 11 bits a coordinate: at most 0.12 degrees off (Cigolle et al. 2014, "A Survey of Efficient
     /// Representations for Independent Unit Vectors").
     static std::uint32_t packDirection(const V3f& w);
     static V3f unpackDirection(std::uint32_t bits);

@@ -52,7 +52,7 @@ PhotonGrid::PhotonGrid(PhotonBlocks blocks, float rowWidth, unsigned tableBits) 
     mask_ = std::uint32_t((std::uint64_t(1) << bits) - 1);
     photons_ = std::make_unique_for_overwrite<Photon[]>(count_ + lanes);
     std::fill_n(photons_.get() + count_, lanes,
-                Photon(V3f(0), V3f(0, 0, 1), 0, SampledSpectrum(0.f)));
+                Photon(V3f(0), V3f(0, 0, 1), 0, LightHistory::Scattered, SampledSpectrum(0.f)));
     const std::vector<std::uint32_t> partStarts = sortIntoParts(std::move(blocks), rest);
     starts_.resize(std::size_t(mask_) + 2);
     starts_.back() = std::uint32_t(count_);

@@ -18,10 +18,11 @@ PhotonPass PhotonTracer::trace(std::uint64_t pass, const SampledWavelengths& lam
             const std::size_t before = block.photons.size();
             block.lostExits += std::uint64_t(paths_.follow(
                 pass, path, lambda,
-                [&](const Vertex& vertex, const Bsdf& bsdf, const Walk& walk, int depth, int hero, SampleStream&) {
-                    if ((depth > 0 || settings_.keepDirect) && gatherProbability(bsdf) > 0)
-                        block.photons.emplace_back(space_.fromWorld(vertex.point().p), vertex.wo, depth,
-                                                   rotatedBack(walk.beta, hero));
+                [&](const Vertex& vertex, const Bsdf& bsdf, const Walk& walk, const LightPaths::Arrival& arrival,
+                    SampleStream&) {
+                    if ((arrival.depth > 0 || settings_.keepDirect) && gatherProbability(bsdf, arrival.history) > 0)
+                        block.photons.emplace_back(space_.fromWorld(vertex.point().p), vertex.wo, arrival.depth,
+                                                   arrival.history, rotatedBack(walk.beta, arrival.hero));
                 }));
             block.landedPaths += block.photons.size() > before;
         },

@@ -49,6 +49,15 @@ TEST(OrthographicCamera, ConnectFindsTheRasterOfARay) {
         EXPECT_FALSE(camera.connect(ray.at(-1), V2f())) << "behind the camera";
     }
     EXPECT_FALSE(camera.connect(camera.generate({V2d(-1, 50), V2f()})->ray.at(1), V2f())) << "beside the picture";
+    const V2f margin(2, 1);
+    for (const auto& [raster, near] : {std::pair{V2d(-1.5, 50), true}, std::pair{V2d(51.5, 50), true},
+                                       std::pair{V2d(52.5, 50), false}, std::pair{V2d(20, -1.5), false}}) {
+        const auto beside = camera.connect(camera.generate({raster, V2f()})->ray.at(1), V2f(), margin);
+        ASSERT_EQ(beside.has_value(), near) << raster;
+        if (!near) continue;
+        EXPECT_TRUE(beside->raster.equalWithAbsError(raster, 1e-9));
+        EXPECT_FLOAT_EQ(beside->we, 1 / 8.f);
+    }
 }
 
 TEST(OrthographicCamera, ImportanceTimesAreaOfAStretchedFilmIsOne) {

@@ -99,6 +99,28 @@ TEST(PerspectiveCamera, RaysOfARasterPointMeetInThePlaneOfFocus) {
     EXPECT_GT(largest, 0.29);
 }
 
+TEST(PerspectiveCamera, ConnectsWithinAMargin) {
+    for (const double lens : {0., 0.1}) {
+        PerspectiveCamera::Settings settings;
+        settings.lensRadius = lens;
+        settings.focalDistance = 3;
+        const PerspectiveCamera camera(Transform(), V2i(20, 20), settings);
+        const V2f margin(2, 1), middle(0.5f, 0.5f);
+        for (const auto& [raster, near] : {std::pair{V2d(-1.5, 10), true}, std::pair{V2d(21.5, -0.5), true},
+                                           std::pair{V2d(-2.5, 10), false}, std::pair{V2d(10, 21.5), false}}) {
+            const Ray ray = camera.generate({raster, middle})->ray;
+            EXPECT_FALSE(camera.connect(ray.at(2), middle)) << raster;
+            const auto connection = camera.connect(ray.at(2), middle, margin);
+            ASSERT_EQ(connection.has_value(), near) << raster;
+            if (!near) continue;
+            EXPECT_TRUE(connection->raster.equalWithAbsError(raster, 1e-9));
+            // The importance goes on as it is in the picture: A = 4 at z = 1.
+            const double lensArea = lens > 0 ? piD * lens * lens : 1;
+            EXPECT_NEAR(connection->we, 1 / (4 * lensArea * std::pow(ray.d.z, 4)), 1e-5 / lensArea);
+        }
+    }
+}
+
 TEST(PerspectiveCamera, PinholeImportanceByHand) {
     // fov 90, square: A = 4 at z = 1. On the axis: pdf 1/4, We 1/4; at 45 degrees cos = 1/sqrt 2.
     const PerspectiveCamera camera(Transform(), V2i(10, 10), {});

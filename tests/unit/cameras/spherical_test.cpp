@@ -56,6 +56,31 @@ TEST(SphericalCamera, ConnectFindsTheRasterOfARay) {
     }
 }
 
+TEST(SphericalCamera, ThePictureIsRepeatedAroundIt) {
+    RandomStream random(19);
+    const V2f margin(5, 3);
+    for (Mapping mapping : {Mapping::EqualArea, Mapping::Equirectangular}) {
+        const V2d size(64, 48);
+        const SphericalCamera camera(Transform(), V2i(64, 48), mapping);
+        // Each point of the margin must be the repetition of just that point of the picture which looks the same way.
+        for (int i = 0; i < 2000; ++i) {
+            const V2d beside(random.uniform(-5, 69), random.uniform(-3, 51));
+            if (beside.x >= 0 && beside.y >= 0 && beside.x < size.x && beside.y < size.y) continue;
+            const Ray ray = camera.generate({beside, V2f()})->ray;
+            const V2d inside = camera.connect(ray.at(1), V2f(), margin)->raster;
+            int found = 0;
+            for (const V2d& repeated : camera.repeated(inside, margin)) {
+                expectNear(direction(camera, repeated.x, repeated.y), ray.d, 1e-6);
+                EXPECT_TRUE(repeated.x >= -5 && repeated.x < 69 && repeated.y >= -3 && repeated.y < 51) << repeated;
+                found += (repeated - beside).length() < 1e-5;
+            }
+            EXPECT_EQ(found, 1) << beside << " is " << inside;
+        }
+        EXPECT_TRUE(camera.repeated(V2d(30, 20), margin).empty());
+        EXPECT_TRUE(camera.repeated(V2d(1, 1), V2f(0)).empty());
+    }
+}
+
 TEST(SphericalCamera, DensityIsFiniteAndRasterInsideEverywhere) {
     for (Mapping mapping : {Mapping::EqualArea, Mapping::Equirectangular}) {
         const SphericalCamera camera(Transform(), V2i(1023, 511), mapping);
