@@ -31,6 +31,8 @@ enum class PhotonSearch { Grid, Tree, Naive };
 /// | kernel              | string  |             | "epanechnikov"   | "constant" or "epanechnikov": weight of photons in a disk |
 /// | lookup              | string  |             | "grid"           | "grid", "kdtree" (ppm only) or "naive": how photons are found; the picture is the same but for rounding |
 /// | hitpointsperpixel   | integer |             | 4                | ppm only: eye paths a pixel |
+/// | iterations          | integer |             | the sampler's pixelsamples | passes |
+/// | lightsampler        | string  |             | "power"          | which light is asked for direct light and sends photons: "uniform": all alike; "power": mostly by power. pbrt-v4's "bvh" and "exhaustive" are read and mean "power" |
 /// | seed                | integer |             | the sampler's    | other seeds give other noise |
 struct PhotonMappingSettings {
     bool fixedEyePaths = false; ///< ppm

@@ -31,15 +31,28 @@ int maxDepth(const ParameterSet& p, int otherwise) {
     return depth;
 }
 
-std::unique_ptr<Integrator> path(const ParameterSet& p, const Sampling& sampling) {
+/// How lights are chosen. A hierarchy over lights (pbrt-v4's "bvh") is not here: power serves in its place.
+LightSampler::Choice lightChoice(const ParameterSet& p) {
+    const std::string name = p.getChoice("lightsampler", "power", {"uniform", "power", "bvh", "exhaustive"});
+    return name == "uniform" ? LightSampler::Choice::Uniform : LightSampler::Choice::Power;
+}
+
+/// Of photon integrators, if the scene gives them.
+std::optional<std::uint64_t> passes(const ParameterSet& p) {
+    const auto count = p.findInteger("iterations");
+    if (!count) return {};
+    if (*count < 1) p.error("iterations", "\"iterations\" must be at least 1");
+    return std::uint64_t(*count);
+}
+
+IntegratorPlan path(const ParameterSet& p, const Sampling& sampling) {
     PathSettings s;
     s.maxDepth = maxDepth(p, s.maxDepth);
     s.rrDepth = p.getInteger("rrdepth", s.rrDepth);
     s.regularize = p.getBool("regularize", s.regularize);
     s.nee = p.getBool("nee", s.nee);
-    p.getChoice("lightsampler", "power", {"uniform", "power", "bvh", "exhaustive"});
     if (s.rrDepth < 0) p.error("rrdepth", "\"rrdepth\" must not be negative");
-    return std::make_unique<PathIntegrator>(s, sampling.settings);
+    return {std::make_unique<PathIntegrator>(s, sampling.settings), {lightChoice(p), false}, {}};
 }
 
 std::int64_t pathsPerPass(const ParameterSet& p) {
@@ -68,20 +81,20 @@ PhotonMappingSettings photonMapping(const ParameterSet& p) {
     return s;
 }
 
-std::unique_ptr<Integrator> lightPath(const ParameterSet& p, const Sampling& sampling) {
+IntegratorPlan lightPath(const ParameterSet& p, const Sampling& sampling) {
     LightTracingSettings s;
     s.maxDepth = maxDepth(p, s.maxDepth);
     s.pathsPerPass = pathsPerPass(p);
-    return std::make_unique<LightTracingIntegrator>(s, withOwnSeed(p, sampling));
+    return {std::make_unique<LightTracingIntegrator>(s, withOwnSeed(p, sampling)), {lightChoice(p), true}, passes(p)};
 }
 
-std::unique_ptr<Integrator> sppm(const ParameterSet& p, const Sampling& sampling) {
+IntegratorPlan sppm(const ParameterSet& p, const Sampling& sampling) {
     PhotonMappingSettings s = photonMapping(p);
     s.search = p.getChoice("lookup", "grid", {"grid", "naive"}) == "grid" ? PhotonSearch::Grid : PhotonSearch::Naive;
-    return std::make_unique<PhotonMappingIntegrator>(s, withOwnSeed(p, sampling));
+    return {std::make_unique<PhotonMappingIntegrator>(s, withOwnSeed(p, sampling)), {lightChoice(p), true}, passes(p)};
 }
 
-std::unique_ptr<Integrator> ppm(const ParameterSet& p, const Sampling& sampling) {
+IntegratorPlan ppm(const ParameterSet& p, const Sampling& sampling) {
     PhotonMappingSettings s = photonMapping(p);
     s.fixedEyePaths = s.eye.branch = true;
     s.eyePathsPerPixel = p.getInteger("hitpointsperpixel", 4);
@@ -89,10 +102,10 @@ std::unique_ptr<Integrator> ppm(const ParameterSet& p, const Sampling& sampling)
         p.error("hitpointsperpixel", "\"hitpointsperpixel\" must lie between 1 and 4096");
     const std::string lookup = p.getChoice("lookup", "grid", {"grid", "kdtree", "naive"});
     s.search = lookup == "grid" ? PhotonSearch::Grid : lookup == "kdtree" ? PhotonSearch::Tree : PhotonSearch::Naive;
-    return std::make_unique<PhotonMappingIntegrator>(s, withOwnSeed(p, sampling));
+    return {std::make_unique<PhotonMappingIntegrator>(s, withOwnSeed(p, sampling)), {lightChoice(p), true}, passes(p)};
 }
 
-using IntegratorBuilder = std::unique_ptr<Integrator> (*)(const ParameterSet&, const Sampling&);
+using IntegratorBuilder = IntegratorPlan (*)(const ParameterSet&, const Sampling&);
 constexpr RegistryEntry<IntegratorBuilder> integratorTypes[] = {{"path", path},
                                                                 {"volpath", path},
                                                                 {"lightpath", lightPath},
@@ -110,8 +123,7 @@ constexpr RegistryEntry<IntegratorBuilder> integratorTypes[] = {{"path", path},
 
 } // namespace
 
-std::unique_ptr<Integrator> buildIntegrator(BuildContext& context, const Overrides& overrides,
-                                            const SamplerSettings& sampler) {
+IntegratorPlan buildIntegrator(BuildContext& context, const Overrides& overrides, const SamplerSettings& sampler) {
     const Node& written = context.nodes().integrator;
     const Sampling sampling{sampler, overrides.seed.has_value()};
     if (overrides.integrator.empty() || overrides.integrator == written.type)
@@ -124,8 +136,7 @@ std::unique_ptr<Integrator> buildIntegrator(BuildContext& context, const Overrid
     node.type = overrides.integrator;
     node.typePlace = node.place = Place{};
     return context.guarded(node, [&] {
-        auto integrator =
-            findBuilder<IntegratorBuilder>(integratorTypes, node, "integrator")(node.parameters, sampling);
+        auto plan = findBuilder<IntegratorBuilder>(integratorTypes, node, "integrator")(node.parameters, sampling);
         written.parameters.takeReadsFrom(node.parameters);
         for (const std::string& name : node.parameters.names())
             if (node.parameters.isUnused(name)) {
@@ -134,7 +145,7 @@ std::unique_ptr<Integrator> buildIntegrator(BuildContext& context, const Overrid
                     fmt::format("integrator \"{}\" has no parameter \"{}\": dropped", node.type, name));
                 node.parameters.remove(name);
             }
-        return integrator;
+        return plan;
     });
 }
 

@@ -5,10 +5,15 @@
 #include "integrators/integrator.h"
 #include "scene/context.h"
 #include "scene/overrides.h"
+#include "scene/world_builder.h"
 
 namespace vitrine {
 
-std::unique_ptr<Integrator> buildIntegrator(BuildContext& context, const Overrides& overrides,
-                                            const SamplerSettings& sampler);
+struct IntegratorPlan {
+    std::unique_ptr<Integrator> integrator;
+    LightUse lights;
+    std::optional<std::uint64_t> passes; ///< in place of the sampler's number of samples
+};
+IntegratorPlan buildIntegrator(BuildContext& context, const Overrides& overrides, const SamplerSettings& sampler);
 
 } // namespace vitrine

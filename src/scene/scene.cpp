@@ -165,12 +165,16 @@ Scene buildScene(ParsedScene parsed, const Overrides& overrides) {
     const SamplerPlan sampler = buildSampler(context, overrides);
     scene.film = film.settings;
     scene.samplesPerPixel = sampler.samplesPerPixel;
-    scene.integrator = buildIntegrator(context, overrides, sampler.settings);
+    IntegratorPlan integrator = buildIntegrator(context, overrides, sampler.settings);
+    // The command line comes first.
+    if (integrator.passes && !overrides.samplesPerPixel && !overrides.quick)
+        scene.samplesPerPixel = *integrator.passes;
+    scene.integrator = std::move(integrator.integrator);
     scene.integratorType = overrides.integrator.empty() ? nodes.integrator.type : overrides.integrator;
     // Without a film there is no aspect for the camera: its error is the one to show.
     CameraPlan camera;
     if (scene.film.resolution.x > 0 && scene.film.resolution.y > 0) camera = buildCamera(context, scene.film);
-    scene.world = buildWorld(context);
+    scene.world = buildWorld(context, integrator.lights);
     // What an integrator of its own would read is not known where its directive is wrong.
     if (!parsed.hasErrors) settings.checkRead(nodes, diagnostics);
     if (diagnostics.hasErrors()) throw SceneError(inOrder(diagnostics.all(), nodes.sources));

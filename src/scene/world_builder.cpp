@@ -18,7 +18,7 @@ bool isFar(const Box3d& box) {
 
 class WorldBuilder {
   public:
-    explicit WorldBuilder(BuildContext& context) : context_(context) {}
+    WorldBuilder(BuildContext& context, const LightUse& lightUse) : context_(context), lightUse_(lightUse) {}
 
     World build() {
         refuseMedia();
@@ -169,15 +169,30 @@ class WorldBuilder {
         for (const auto& light : lights_)
             if (const Box3d box = light->bounds(); !box.isEmpty() && isFinite(box.size())) chosenBy.extendBy(box);
         const SceneSphere beams = SceneSphere::around(unbounded ? chosenBy : lit);
+        if (unbounded && lightUse_.startsPaths) warnOfBeams(beams);
         for (const auto& light : lights_)
             light->preprocess(beams.center, beams.radius);
         SceneSphere sphere = SceneSphere::around(chosenBy);
         // Of no size, it still tells lights at infinity from each other.
         sphere.radius = sphere.radius > 0 ? std::min(sphere.radius, farthest) : 1;
-        world_.lights = LightSampler(std::move(lights_), sphere);
+        world_.lights = LightSampler(std::move(lights_), sphere, lightUse_.choice);
+    }
+
+    /// No density over a plane without end keeps the noise of what it reflects finite (docs/decisions.md, "Photon mapping").
+    void warnOfBeams(const SceneSphere& beams) {
+        const auto isFromInfinity = [](const LightPtr& light) { return light->bounds().isEmpty(); };
+        if (std::none_of(lights_.begin(), lights_.end(), isFromInfinity)) return;
+        const Node& integrator = context_.nodes().integrator;
+        context_.diagnostics().warning(
+            integrator.typePlace ? integrator.typePlace : integrator.place,
+            fmt::format("photons of lights at infinity reach surfaces without end only within {:.4g} units of "
+                        "({:.4g}, {:.4g}, {:.4g}): what lies further out sends no light on",
+                        beams.radius, beams.center.x, beams.center.y, beams.center.z),
+            "a disk in place of the plane is lit all over; the path integrator knows no such bound");
     }
 
     BuildContext& context_;
+    LightUse lightUse_;
     World world_;
     CasterInput input_;
     std::vector<MaterialPtr> materials_;
@@ -186,8 +201,8 @@ class WorldBuilder {
 
 } // namespace
 
-World buildWorld(BuildContext& context) {
-    return WorldBuilder(context).build();
+World buildWorld(BuildContext& context, const LightUse& lightUse) {
+    return WorldBuilder(context, lightUse).build();
 }
 
 } // namespace vitrine

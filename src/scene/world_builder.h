@@ -6,8 +6,14 @@
 
 namespace vitrine {
 
+/// What an integrator does with lights.
+struct LightUse {
+    LightSampler::Choice choice = LightSampler::Choice::Power;
+    bool startsPaths = false; ///< at the lights
+};
+
 /// Everything but the camera. Shapes that are wrong are left out and recorded in the context's diagnostics.
-World buildWorld(BuildContext& context);
+World buildWorld(BuildContext& context, const LightUse& lightUse);
 
 // The families, one table each.
 

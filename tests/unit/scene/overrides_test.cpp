@@ -56,6 +56,43 @@ TEST(Overrides, SetIsForTheChosenIntegrator) {
     EXPECT_EQ(scene.warnings[0].message, "integrator \"path\" has no parameter \"radius\": dropped");
 }
 
+TEST(Passes, IterationsComeBeforePixelsamplesAndTheCommandLineBeforeBoth) {
+    for (const char* integrator : {"sppm", "ppm", "lightpath"}) {
+        const std::string scene = "Sampler \"zsobol\" \"integer pixelsamples\" 7\nIntegrator \"" +
+                                  std::string(integrator) + "\" \"integer iterations\" ";
+        const std::string world = "\nWorldBegin\nLightSource \"point\"\nShape \"disk\"\n";
+        EXPECT_EQ(built(scene + "33" + world).samplesPerPixel, 33u) << integrator;
+        EXPECT_EQ(built(scene + "33" + world, set({"iterations=12"})).samplesPerPixel, 12u) << integrator;
+        Overrides spp;
+        spp.samplesPerPixel = 5;
+        EXPECT_EQ(built(scene + "33" + world, spp).samplesPerPixel, 5u) << integrator;
+        Overrides quick;
+        quick.quick = true;
+        EXPECT_EQ(built(scene + "33" + world, quick).samplesPerPixel, 1u) << integrator;
+        for (const char* bad : {"0", "-1"})
+            EXPECT_EQ(errorsOf(scene + bad + world), Lines{"2:" + std::to_string(15 + std::string(integrator).size()) +
+                                                           ": error: \"iterations\" must be at least 1"})
+                << integrator;
+    }
+    EXPECT_EQ(errorsOf("Integrator \"path\" \"integer iterations\" 4\nWorldBegin\n").size(), 1u)
+        << "the path tracer has samples";
+}
+
+TEST(LightSamplers, UniformChoosesAllAlike) {
+    for (const char* integrator : {"path", "volpath", "sppm", "ppm", "lightpath"}) {
+        const auto share = [&](const std::string& name) {
+            const Scene scene = built("Integrator \"" + std::string(integrator) + "\"" + name +
+                                      "\nWorldBegin\nShape \"disk\"\nLightSource \"point\" \"rgb I\" [1 1 1]\n"
+                                      "LightSource \"point\" \"rgb I\" [99 99 99]\n");
+            return scene.world.lights.probability(scene.world.lights.lights()[0].get());
+        };
+        EXPECT_FLOAT_EQ(share(" \"string lightsampler\" \"uniform\""), 0.5f) << integrator;
+        for (const char* byPower : {"", " \"string lightsampler\" \"power\"", " \"string lightsampler\" \"bvh\""})
+            EXPECT_NEAR(share(byPower), 0.8 * 0.01 + 0.2 * 0.5, 1e-3) << integrator << byPower;
+    }
+    EXPECT_EQ(errorsOf("Integrator \"sppm\" \"string lightsampler\" \"best\"\nWorldBegin\n").size(), 1u);
+}
+
 TEST(Fingerprint, DependsOnWhatChangesThePicture) {
     const std::uint64_t same = built(text).fingerprint;
     EXPECT_EQ(built(text).fingerprint, same);

@@ -66,6 +66,26 @@ TEST(WorldBuilder, TheSunIsChosenAlsoWherePlanesAreAllOrMostThereIs) {
     EXPECT_EQ(chanceOfSun(plane, ""), 1);
 }
 
+TEST(WorldBuilder, TellsThatPhotonsFromInfinityCoverAPartOfAPlane) {
+    const std::string sun = "LightSource \"distant\"\n", sky = "LightSource \"infinite\"\n",
+                      lamp = "LightSource \"point\"\n";
+    const std::string plane = "Shape \"plane\"\n", ball = "Shape \"sphere\"\n";
+    const auto warnings = [](const std::string& integrator, const std::string& things) {
+        return built("Integrator \"" + integrator + "\"\nWorldBegin\n" + things).warnings;
+    };
+    for (const char* integrator : {"sppm", "ppm", "lightpath"}) {
+        for (const std::string& light : {sun, sky}) {
+            const auto told = warnings(integrator, light + light + lamp + plane + ball);
+            ASSERT_EQ(told.size(), 1u) << integrator;
+            EXPECT_TRUE(told[0].message.starts_with("photons of lights at infinity reach surfaces without end only"));
+            EXPECT_EQ(told[0].place.line, 1);
+            EXPECT_TRUE(warnings(integrator, light + ball).empty()) << "no plane";
+        }
+        EXPECT_TRUE(warnings(integrator, lamp + plane + ball).empty()) << "no light at infinity";
+    }
+    EXPECT_TRUE(warnings("path", sun + plane).empty()) << "starts no paths at lights";
+}
+
 TEST(WorldBuilder, BeamsFromInfinityFillWhatIsBoundedAndNoMore) {
     const std::string sun = "LightSource \"distant\" \"point3 from\" [0 1 0] \"point3 to\" [0 0 0]\n";
     const Scene scene = built("LookAt 0 900 0  0 0 0  0 0 1\nCamera \"perspective\"\nWorldBegin\n" + sun +
