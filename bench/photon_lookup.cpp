@@ -51,7 +51,8 @@ std::vector<Photon> makePhotons() {
     std::vector<Photon> photons;
     for (int i = 0; i < photonCount; ++i) {
         const float which = random.uniform(), u = random.uniform(), v = random.uniform();
-        photons.emplace_back(placeOnSurface(which, u, v).p, V3f(0, 0, 1), 1, SampledSpectrum(1.f));
+        photons.emplace_back(placeOnSurface(which, u, v).p, V3f(0, 0, 1), 1, LightHistory::Scattered,
+                             SampledSpectrum(1.f));
     }
     return photons;
 }
