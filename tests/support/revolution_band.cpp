@@ -106,19 +106,18 @@ class Scene {
     /// tip rounding decides which half a crossing is said to be on.
     bool meetAtTip(const Place& a, const Place& b) const {
         if (isVertical()) return false;
-        const long double tipY = ray_.oy - ray_.v * ray_.q / ray_.h;
-        for (long double u : {a.u, b.u, (a.u + b.u) / 2}) {
-            for (int i = 0; i < 12; ++i) {
-                const SlowCurve::Sample c = at(u);
-                const long double ex = ray_.e - c.x, ey = tipY - c.y;
-                if (std::hypot(ex, ey) <= band_ && isCloseAlong(a.u, u, a.forward) && isCloseAlong(u, b.u, b.forward))
-                    return true;
-                const long double speed2 = c.dx * c.dx + c.dy * c.dy;
-                if (!(speed2 > 0)) break;
-                const long double next = std::clamp(u + (ex * c.dx + ey * c.dy) / speed2, 0.L, end());
-                if (std::fabs(next - u) < 1e-3L * band_) break;
-                u = next;
+        for (const long double u : {a.u, b.u, (a.u + b.u) / 2})
+            if (meetAtTipNear(u, a, b)) return true;
+        // The profile may turn between the places and the tip: look along all of what is in the band.
+        for (const Place& place : {a, b}) {
+            const Stretch s = lengthened({place.u, place.u, place.forward});
+            constexpr int steps = 256;
+            long double best = s.ua;
+            for (int i = 1; i <= steps; ++i) {
+                const long double u = s.ua + (s.ub - s.ua) * i / steps;
+                if (distanceToTip(u) < distanceToTip(best)) best = u;
             }
+            if (meetAtTipNear(best, a, b)) return true;
         }
         return false;
     }
@@ -175,6 +174,29 @@ class Scene {
     }
 
   private:
+    std::pair<long double, long double> toTip(const SlowCurve::Sample& c) const {
+        return {ray_.e - c.x, ray_.oy - ray_.v * ray_.q / ray_.h - c.y};
+    }
+    long double distanceToTip(long double u) const {
+        const auto [x, y] = toTip(at(u));
+        return std::hypot(x, y);
+    }
+    /// By Newton's method from u.
+    bool meetAtTipNear(long double u, const Place& a, const Place& b) const {
+        for (int i = 0; i < 12; ++i) {
+            const SlowCurve::Sample c = at(u);
+            const auto [ex, ey] = toTip(c);
+            if (std::hypot(ex, ey) <= band_ && isCloseAlong(a.u, u, a.forward) && isCloseAlong(u, b.u, b.forward))
+                return true;
+            const long double speed2 = c.dx * c.dx + c.dy * c.dy;
+            if (!(speed2 > 0)) break;
+            const long double next = std::clamp(u + (ex * c.dx + ey * c.dy) / speed2, 0.L, end());
+            if (std::fabs(next - u) < 1e-3L * band_) break;
+            u = next;
+        }
+        return false;
+    }
+
     std::vector<SlowCurve> curves_;
     HalfPlaneRay ray_;
     long double band_;

@@ -87,6 +87,25 @@ TEST(RevolutionJudge, OnlyTouchesWithinTheBandAreExcused) {
     }
 }
 
+/// Where the ray is closest to the axis both its halves touch the flat top; the profile goes there only after a turn away.
+TEST(RevolutionJudge, TouchesOfBothHalvesAreOneWhereverTheyMeet) {
+    // y = 1 - t^12; x(t) rises from 0.2 to 0.67 at t = 0.06, and falls.
+    ProfilePoints top{{}, {{0.5, 0}, {0.2, 1}}};
+    for (const double x : {0.2, 2.0, -1.5, 1.2, 0.4, 0.6, 0.6, 0.6, 0.6, 0.6, 0.6, 0.6})
+        top[0].emplace_back(x, 1);
+    top[0].emplace_back(0.5, 0);
+    const Ray ray{{-3, 1, 0.3}, {1, 0, 0}};
+    ASSERT_TRUE(ExactOracle(top).hits(ray).empty());
+    const SlowCurve::Sample at = SlowCurve(top[0]).at(0.1L);
+    const auto wide = double(std::sqrt(at.x * at.x - 0.09L));
+    const std::vector<OracleHit> both{{3 - wide, 0, 0.1, false}, {3 + wide, 0, 0.1, true}};
+    EXPECT_TRUE(judged(top, ray, both).isClean());
+    EXPECT_TRUE(judged(top, ray, both).excused);
+    EXPECT_EQ(judged(top, ray, without(both, 0, 1)).spurious, 1) << "one of a pair";
+    // Seen from 2e-9 above it is no touch.
+    EXPECT_EQ(judged(top, {{-3, 1 + 2e-9, 0.3}, {1, 0, 0}}, both).spurious, 2);
+}
+
 TEST(RevolutionJudge, RimsAreExcusedWithinTheBand) {
     for (const double aside : {1e-10, 1e-8}) {
         const Ray ray{{-1 - 3, 2 - aside - 3, 0}, {1, 1, 0}}; // at the upper ring from within, coming up
