@@ -1,6 +1,7 @@
 #include "scene/world_builder.h"
 
 #include "lights/scene_sphere.h"
+#include "shapes/revolution/profile_crossing.h"
 #include "shapes/revolution/revolution.h"
 
 #include <fmt/format.h>
@@ -142,6 +143,8 @@ class WorldBuilder {
                     node.place, fmt::format("this revolution is open: {}; its dielectric needs other shapes of the "
                                             "same material to bound a solid",
                                             turned->whyOpen()));
+            else if (turned && warnOfCrossing(node, turned->profile()))
+                continue;
             else if (needsSolid && shape->kind() == GeometryKind::User && !shape->isClosed())
                 context_.diagnostics().warning(
                     node.place,
@@ -149,6 +152,26 @@ class WorldBuilder {
                                 "mirrored): its dielectric needs other shapes of the same material to bound one",
                                 node.type));
         }
+    }
+
+    bool warnOfCrossing(const ShapeNode& node, const Profile& profile) {
+        const auto wrong = findWrongSide(profile);
+        if (!wrong) return false;
+        const std::string where = fmt::format("near radius {:.4g}, height {:.4g}", wrong->p.x, wrong->p.y);
+        if (wrong->winding < 1)
+            context_.diagnostics().warning(node.place,
+                                           fmt::format("the profile of this revolution crosses itself: the lobe {} is "
+                                                       "wound the other way, so that its dielectric is inside out",
+                                                       where),
+                                           "draw each lobe as a shape of its own");
+        else
+            context_.diagnostics().warning(
+                node.place,
+                fmt::format("the profile of this revolution crosses itself: the line {} "
+                            "lies inside of its own solid, where a dielectric has no surface",
+                            where),
+                "draw only the outline of what it covers");
+        return true;
     }
 
     bool hasUnbounded() const {

@@ -57,5 +57,24 @@ TEST(RevolutionMessages, OpenGlass) {
               1u);
 }
 
+TEST(RevolutionMessages, GlassThatCrossesItself) {
+    const auto warned = [](const std::string& material, const std::string& points) {
+        return warningsOf("Material \"" + material + "\"\nShape \"revolution\" \"integer degree\" 1 \"point2 P\" [" +
+                          points + "]\n");
+    };
+    const std::string prefix = "scene.pbrt:3:1: warning: the profile of this revolution crosses itself: ";
+    const std::string eight = ".2 .1 1 1.1 1 -.5 .2 1.1 .2 .1";
+    EXPECT_EQ(warned("dielectric", eight),
+              Lines{prefix + "the lobe near radius 0.2, height 0.5375 is wound the other way, "
+                             "so that its dielectric is inside out"});
+    EXPECT_EQ(warned("dielectric", "1 0 3 0 3 2 1 2 1 .5 2.5 .5 2.5 1.5 .5 1.5 .5 0 1 0"),
+              Lines{prefix +
+                    "the line near radius 1.844, height 0.5 lies inside of its own solid, where a dielectric has "
+                    "no surface"});
+    EXPECT_EQ(warned("diffuse", eight), Lines{});
+    EXPECT_EQ(warned("thindielectric", eight), Lines{});
+    EXPECT_EQ(warned("dielectric", "0 0 1 0 1 .5 2 .5 1 .5 1 1 0 1"), Lines{}) << "a fin of no thickness";
+}
+
 } // namespace
 } // namespace vitrine
