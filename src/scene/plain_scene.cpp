@@ -145,6 +145,20 @@ class Translator {
         return source_.areaLights[std::size_t(node.areaLight)].parameters.getFloat("power", -1);
     }
 
+    /// \throws std::invalid_argument that speaks of relative tolerances, as they are given
+    double absoluteTolerance(const Profile& profile) const {
+        const double size = turnedSize(profile), finest = finestTolerance(profile) / size;
+        if (!(finest < 1))
+            throw std::invalid_argument("the shape is too small for the single precision of a mesh's vertices");
+        if (!(options_.tolerance > finest))
+            throw std::invalid_argument(
+                fmt::format("the tolerance {:g} is finer than the single precision of a mesh's vertices keeps; for "
+                            "this shape it must "
+                            "be at least {:.2g} (of the shape's diameter or height, whichever is larger)",
+                            options_.tolerance, 1.06 * finest));
+        return options_.tolerance * size;
+    }
+
     /// The file of the shape's mesh: a new one, or that of an equal shape.
     std::string meshFor(const ShapeNode& node, std::shared_ptr<const Revolution> shape) {
         for (const auto& mesh : scene_.meshes)
@@ -155,7 +169,7 @@ class Translator {
             const Profile& profile = shape->profile();
             const double phiMax = shape->phiMaxDegrees();
             mesh.tolerance = options_.triangles ? toleranceForTriangles(profile, phiMax, *options_.triangles)
-                                                : options_.tolerance * turnedSize(profile);
+                                                : absoluteTolerance(profile);
             mesh.triangles = RevolutionTessellation(profile, phiMax, mesh.tolerance).triangleCount();
             mesh.shape = std::move(shape);
             scene_.meshes.push_back(std::move(mesh));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <stdexcept>
 
 namespace vitrine {
@@ -11,14 +12,9 @@ namespace {
 /// From one ring, and from one sector, to the next the surface turns by no more, however coarse the tolerance.
 constexpr double maxTurn = piD / 8;
 
-[[noreturn]] void tooMany(double tolerance) {
-    throw std::invalid_argument(
-        fmt::format("the tolerance {:g} is so small that the mesh would have more than 2^31 triangles", tolerance));
-}
-
-/// What single precision may move a vertex by.
+/// What single precision may move a vertex by, next to zero too.
 double roundingOf(const Profile& profile) {
-    return 0x1p-23 * profile.size();
+    return std::max(0x1p-23 * profile.size(), double(std::numeric_limits<float>::denorm_min()));
 }
 
 /// The least of 1, 2, 3, 4, 6, 8, 12, ... that is not below: rings of few kinds fit each other.
@@ -47,6 +43,10 @@ double turnedSize(const Profile& profile) {
     return std::max(2 * box.max.x, box.max.y - box.min.y);
 }
 
+double finestTolerance(const Profile& profile) {
+    return 2 * roundingOf(profile);
+}
+
 /// Vertices of one station, as the triangles on one side of it use them.
 struct RevolutionTessellation::Row {
     std::uint32_t first = 0, sectors = 0;
@@ -63,17 +63,20 @@ RevolutionTessellation::RevolutionTessellation(const Profile& profile, double ph
         throw std::invalid_argument(fmt::format("the tolerance must be positive and finite, not {:g}", tolerance));
     if (!(phiMax_ > 0)) throw std::invalid_argument("\"phimax\" must be positive");
     const double rounding = roundingOf(profile);
-    if (!(tolerance > 2 * rounding))
+    if (!(profile.size() <= double(std::numeric_limits<float>::max())))
+        throw std::invalid_argument("the shape is too large for the single precision of the vertices");
+    if (!(tolerance > finestTolerance(profile)))
         throw std::invalid_argument(fmt::format(
             "the tolerance {:g} is finer than the single precision of the vertices keeps for a shape of this "
             "size; it must be above {:g}",
-            tolerance, 2 * rounding));
+            tolerance, finestTolerance(profile)));
     // Profile and circle take half each: with errors a + b fixed, the triangles, as 1/sqrt(a b), are then fewest.
     const double half = (tolerance - rounding) / 2;
     constexpr std::size_t mostStations = maxTriangles / 8;
     stations_ = placeStations(profile, half, maxTurn, mostStations);
     planSectors(half);
-    if (triangles_ > maxTriangles || vertices_ > maxTriangles) tooMany(tolerance);
+    if (triangles_ > maxTriangles || vertices_ > maxTriangles)
+        throw std::invalid_argument("the tolerance is so small that the mesh would have more than 2^31 triangles");
 }
 
 std::uint32_t RevolutionTessellation::sectorsFor(double radius, double tolerance) const {
@@ -196,7 +199,7 @@ double toleranceForTriangles(const Profile& profile, double phiMaxDegrees, std::
     const auto fits = [&](double tolerance) {
         return RevolutionTessellation(profile, phiMaxDegrees, tolerance).triangleCount() <= triangles;
     };
-    double high = turnedSize(profile), low = 4 * roundingOf(profile);
+    double high = turnedSize(profile), low = 2 * finestTolerance(profile);
     if (!fits(high))
         throw std::invalid_argument(fmt::format("the coarsest mesh of the profile has {} triangles, more than {}",
                                                 RevolutionTessellation(profile, phiMaxDegrees, high).triangleCount(),

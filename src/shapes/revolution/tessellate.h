@@ -9,6 +9,9 @@ namespace vitrine {
 /// The larger of the diameter and the height of the turned profile: relative tolerances are parts of it.
 double turnedSize(const Profile& profile);
 
+/// What the tolerance of a mesh must be above: single precision of the vertices, in units of the profile.
+double finestTolerance(const Profile& profile);
+
 /// A mesh of which no point is farther than a tolerance from the exact surface, planned before it is made.
 ///
 /// Rings of vertices stand where placeStations() says, each with as many sectors as its radius needs; between rings with
@@ -23,8 +26,8 @@ class RevolutionTessellation {
     static constexpr std::uint64_t maxTriangles = (std::uint64_t(1) << 31) - 1; ///< pbrt-v4 counts them as int
 
     /// \param tolerance in units of the profile, positive
-    /// \throws std::invalid_argument for a tolerance that is not positive, that single precision cannot keep, or that
-    /// needs more than maxTriangles
+    /// \throws std::invalid_argument for a tolerance that is not positive, that single precision cannot keep (of a profile
+    /// too small or too large for it: any), or that needs more than maxTriangles
     RevolutionTessellation(const Profile& profile, double phiMaxDegrees, double tolerance);
 
     std::uint64_t triangleCount() const { return triangles_; }

@@ -48,7 +48,17 @@ TEST_F(MeshCommand, SaysWhatIsWrongWithItsArguments) {
     fail({"mesh", "-", "-o", "out"}, 1, "vitrine: mesh reads a scene file, not standard input");
     const ProgramResult fine = run({"mesh", "scene.pbrt", "-o", "out", "--tolerance", "1e-12"});
     EXPECT_EQ(fine.exitCode, 1);
-    EXPECT_THAT(fine.err, HasSubstr("error: the tolerance 1e-12 is finer than the single precision"));
+    EXPECT_THAT(fine.err,
+                HasSubstr("error: the tolerance 1e-12 is finer than the single precision of a mesh's vertices "
+                          "keeps; for this shape it must be at least 1.3e-07 (of the shape's diameter"));
+    // The bowl is one unit wide and half a unit high; the least that is named is enough.
+    EXPECT_EQ(run({"mesh", "scene.pbrt", "-o", "least", "--tolerance", "1.3e-7", "--only-revolutions"}).exitCode, 0);
+    write("tiny.pbrt",
+          "WorldBegin\nShape \"revolution\" \"integer degree\" 1 \"point2 P\" [ 0 0 1e-50 0 1e-50 1e-50 ]\n");
+    const ProgramResult tiny = run({"mesh", "tiny.pbrt", "-o", "out"});
+    EXPECT_EQ(tiny.exitCode, 1);
+    EXPECT_THAT(tiny.err, HasSubstr("tiny.pbrt:2:1: error: the shape is too small for the single precision of a mesh's "
+                                    "vertices"));
     EXPECT_EQ(run({"mesh", "scene.pbrt", "-o", "out", "--triangles", "3"}).exitCode, 1);
     EXPECT_FALSE(exists("out"));
 }

@@ -251,7 +251,7 @@ TEST_F(Plain, WhatCannotBeSaidIsRefusedWithItsPlace) {
         plain("WorldBegin\n" + std::string(bowl), options);
         FAIL();
     } catch (const SceneError& e) {
-        EXPECT_THAT(e.what(), HasSubstr("scene.pbrt:2:1: error: the tolerance 2e-09 is finer than"));
+        EXPECT_THAT(e.what(), HasSubstr("scene.pbrt:2:1: error: the tolerance 1e-09 is finer than"));
     }
     writeImage(folder_.file("sky.pfm"), Image{4, 2, 3, std::vector<float>(24, 0.5f)});
     try {

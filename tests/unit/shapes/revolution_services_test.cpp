@@ -1,11 +1,14 @@
 // Derivatives of normals next to the axis and to cusps, areas and bounds of odd profiles: against closed forms.
 #include "shapes/quadrature.h"
 #include "shapes/revolution/revolution.h"
+#include "support/revolution_cases.h"
 
 #include <gtest/gtest.h>
 
 namespace vitrine {
 namespace {
+
+using namespace test;
 
 /// y = x^2, v = x.
 const std::vector<V2d> paraboloid{{0, 0}, {0.5, 0}, {1, 1}};
@@ -16,9 +19,10 @@ Revolution make(const std::vector<V2d>& points, double phiMax = 360, const M44d&
     return Revolution(Transform(matrix), false, Profile(points, int(points.size()) - 1), phiMax);
 }
 
-SurfacePoint pointAt(const Revolution& shape, double u, double v) {
+SurfacePoint pointAt(const Revolution& shape, double u, double v, const M44d& matrix = M44d()) {
     const double phi = u * radians(shape.phiMaxDegrees());
-    return shape.pointAt(Ray{V3d(std::cos(phi), 0, std::sin(phi)), V3d(1, 0, 0)}, PrimitiveHit{0, u, v, 0});
+    const V3d beside = Transform(matrix).point(V3d(std::cos(phi), 0, std::sin(phi)));
+    return shape.pointAt(Ray{beside, V3d(1, 0, 0)}, PrimitiveHit{0, u, v, 0});
 }
 
 void expectNear(const V3f& found, const V3d& expected, double tolerance, const char* what, double at) {
@@ -63,6 +67,43 @@ TEST(RevolutionServices, DerivativesUpToTheCusp) {
     const SurfacePoint tip = pointAt(shape, u, 0.5);
     EXPECT_NEAR(std::abs(tip.ns.y), 1, 1e-3);
     EXPECT_TRUE(std::isfinite(tip.dndv.length()) && std::isfinite(tip.dpdv.length()));
+}
+
+/// By differences, whichever way the profile is drawn, mirrored, reversed, by either v: the shading normal's derivatives
+/// go with the normal that is shown.
+TEST(RevolutionServices, NormalDerivativesHoweverItIsDrawn) {
+    std::vector<V2d> backwards = joined(gobletProfile());
+    std::reverse(backwards.begin(), backwards.end());
+    int insideOut = 0, flipped = 0;
+    for (const auto& points : {joined(gobletProfile()), backwards})
+        for (const bool mirror : {false, true})
+            for (const bool reverse : {false, true})
+                for (const VMap vmap : {VMap::Parameter, VMap::ArcLength}) {
+                    M44d matrix;
+                    matrix.rotate(V3d(0.3, 0.7, -0.4));
+                    matrix.scale(V3d(mirror ? -1.5 : 1.5, 0.7, 2));
+                    const Revolution shape(Transform(matrix), reverse, Profile(points, 3), 360, vmap);
+                    insideOut += shape.profile().drawnInsideOut();
+                    flipped += !shape.isClosed();
+                    const auto at = [&](double u, double v) { return pointAt(shape, u, v, matrix); };
+                    const double step = 1e-4;
+                    for (const double v : {0.16, 0.31, 0.45, 0.83}) { // within segments, which are eight
+                        const double u = 0.15 + v / 2;
+                        const SurfacePoint c = at(u, v), up = at(u, v + step), down = at(u, v - step);
+                        const double dv = shape.textureV(v + step) - shape.textureV(v - step);
+                        const auto difference = [](const V3f& b, const V3f& a, double d) {
+                            return (toDouble(b) - toDouble(a)) / d;
+                        };
+                        const V3d dndu = difference(at(u + step, v).ns, at(u - step, v).ns, 2 * step);
+                        const V3d dndv = difference(up.ns, down.ns, dv);
+                        EXPECT_GT(dndu.length(), 0.1);
+                        EXPECT_GT(dndv.length(), 0.02) << v;
+                        EXPECT_LT((toDouble(c.dndu) - dndu).length(), 2e-3 * (1 + dndu.length())) << v;
+                        EXPECT_LT((toDouble(c.dndv) - dndv).length(), 2e-3 * (1 + dndv.length())) << v;
+                    }
+                }
+    EXPECT_EQ(insideOut, 8);
+    EXPECT_EQ(flipped, 8);
 }
 
 TEST(RevolutionServices, AreaWithACusp) {

@@ -299,6 +299,11 @@ TEST(Tessellation, RefusesTolerancesThatCannotBeKept) {
     EXPECT_NE(refusal(goblet, std::nan("")), "");
     for (const double tolerance : {1e-7, 1e-12, 1e-300})
         EXPECT_NE(refusal(goblet, tolerance).find("single precision"), std::string::npos);
+    const auto sheet = [](double size) { return Profile(std::vector<V2d>{{0, 0}, {size, 0}, {size, size}}, 1); };
+    for (const double size : {1e-50, 1e-44, 1e39, 1e300})
+        EXPECT_NE(refusal(sheet(size), 1e-4 * size).find("single precision"), std::string::npos) << size;
+    for (const double size : {1e-30, 1e30})
+        EXPECT_EQ(refusal(sheet(size), 1e-4 * size), "");
     std::vector<V2d> wavy;
     for (int i = 0; i <= 3000; ++i)
         wavy.emplace_back(i % 2 ? 0.99 : 0.9, i / 3000.);
