@@ -54,8 +54,10 @@ struct PartSolver::Quadratic {
     /// makes would be off the surface.
     double value(double x, double y) const {
         constexpr double eps = std::numeric_limits<double>::epsilon();
-        const double p = ray.P(y), f = ray.F(x, p), lengths = std::abs(ray.vq) + std::abs(ray.oy) + std::abs(y);
-        const double noise = 2 * part.points_ * eps * (v2 * (sqr(x) + sqr(ray.e)) + std::abs(p) * lengths);
+        const double p = ray.P(y), f = ray.F(x, p), relative = part.points_ * eps;
+        // P's own error counts squared where P vanishes: at a pole that the ray goes through.
+        const double errorOfP = relative * (std::abs(ray.vq) + std::abs(ray.oy) + std::abs(y));
+        const double noise = 2 * relative * v2 * (sqr(x) + sqr(ray.e)) + errorOfP * (2 * std::abs(p) + errorOfP);
         return std::abs(f) > noise ? f : 0;
     }
     /// Half of F'' and F' and F: only ratios count.

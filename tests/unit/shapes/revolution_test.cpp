@@ -270,6 +270,25 @@ TEST(Revolution, NearlyHorizontalRayThatAllButTouchesIsMetExactly) {
     EXPECT_NEAR(std::hypot(p.x, p.z), lerp(t, profile[0].x, profile[1].x), 1e-15);
 }
 
+/// The ray goes through the pole at s = 1, where rounding of its height makes two roots that hide the part's true ones.
+TEST(Revolution, RaysThroughAPoleMissNothingBesideIt) {
+    const std::vector<V2d> profile{{0.92743960669910774, 0.24046463273325025},
+                                   {0.043823462572836314, 0.31488917806970845},
+                                   {0.34719696475145834, 0.25300262472875457},
+                                   {0.043962553138525373, 0.5271305203177532},
+                                   {0.50937299968449878, 0.37333209824359875},
+                                   {0.62824061826681055, 0.34382526071345199},
+                                   {0.16001550921229235, 0.37452698080859392},
+                                   {0.29125560703034792, 0.47659989919609297},
+                                   {0.96251771655566154, 0.57110176079050035},
+                                   {0.85894601687022243, 0.49003968152879201},
+                                   {0.29806806980187184, 0.70209712621023235},
+                                   {0.091984051562289726, 0.62053281991310161},
+                                   {0, 0.64818987051449906}};
+    const V3d o(-0.93901118277696771, 0.73050618090819985, 0), d(0.93901118277696771, -0.082316310393700798, 0);
+    expectCrossings(make(profile), o, d, {1.0876519564699549, 1.3519950711369522}); // by exact integers
+}
+
 TEST(Revolution, PiecesFarApartHaveBoxesOfTheirOwn) {
     const Revolution goblet = make(joined(gobletProfile()), 3);
     EXPECT_LT(goblet.memoryBytes(), 100000u);
