@@ -21,73 +21,59 @@ constexpr double millimetresPerPixel = 25.4 / 96;
 constexpr std::string_view unrendered[] = {"defs", "symbol", "clipPath", "mask", "pattern", "marker"};
 constexpr std::string_view containers[] = {"svg", "g", "a", "switch"};
 
-/// Properties of a style that would move or change an outline. They are refused, the others passed over.
-constexpr std::string_view geometryProperties[] = {"transform",
-                                                   "transform-origin",
-                                                   "transform-box",
-                                                   "translate",
-                                                   "rotate",
-                                                   "scale",
-                                                   "offset-path",
-                                                   "d",
-                                                   "x",
-                                                   "y",
-                                                   "width",
-                                                   "height",
-                                                   "cx",
-                                                   "cy",
-                                                   "r",
-                                                   "rx",
-                                                   "ry"};
-
 template <std::size_t N>
 bool isOneOf(std::string_view word, const std::string_view (&words)[N]) {
     return std::find(std::begin(words), std::end(words), word) != std::end(words);
 }
 
-std::string_view trimmed(std::string_view s) {
-    const auto isBlank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
-    while (!s.empty() && isBlank(s.front()))
-        s.remove_prefix(1);
-    while (!s.empty() && isBlank(s.back()))
-        s.remove_suffix(1);
-    return s;
-}
-
-/// Calls visit(name, value) for each declaration of a style attribute.
-template <class Visit>
-void forEachProperty(std::string_view style, Visit&& visit) {
-    while (!style.empty()) {
-        const std::string_view declaration = style.substr(0, style.find(';'));
-        style.remove_prefix(std::min(style.size(), declaration.size() + 1));
-        const std::size_t colon = declaration.find(':');
-        if (colon != std::string_view::npos)
-            visit(trimmed(declaration.substr(0, colon)), trimmed(declaration.substr(colon + 1)));
+/// The values of `<!ENTITY name "value">` in what stands before the first element.
+std::map<std::string, std::string, std::less<>> entitiesIn(std::string_view prolog) {
+    constexpr std::string_view mark = "<!ENTITY", blanks = " \t\r\n";
+    std::map<std::string, std::string, std::less<>> entities;
+    for (auto at = prolog.find(mark); at != std::string_view::npos; at = prolog.find(mark, at + 1)) {
+        const auto name = prolog.find_first_not_of(blanks, at + mark.size());
+        const auto nameEnd = prolog.find_first_of(blanks, name);
+        const auto quote = prolog.find_first_not_of(blanks, nameEnd);
+        if (quote == std::string_view::npos || (prolog[quote] != '"' && prolog[quote] != '\'')) continue;
+        const auto end = prolog.find(prolog[quote], quote + 1);
+        if (end == std::string_view::npos) break;
+        entities.emplace(prolog.substr(name, nameEnd - name), prolog.substr(quote + 1, end - quote - 1));
     }
+    return entities;
 }
 
-bool isHidden(const SvgAttributes& in) {
-    bool hidden = trimmed(in.text("display")) == "none";
-    forEachProperty(in.text("style"), [&](std::string_view name, std::string_view value) {
-        if (name == "display") hidden = value.starts_with("none");
-    });
-    return hidden;
+/// "name" of "&name;" alone, else "".
+std::string_view referredEntity(std::string_view value) {
+    const bool isReference = value.size() > 2 && value.front() == '&' && value.find(';') == value.size() - 1;
+    return isReference ? value.substr(1, value.size() - 2) : std::string_view();
 }
 
 /// The element's own transformation.
 M33d ownTransform(const SvgAttributes& in) {
     if (in.has("transform-origin")) throw in.error("transform-origin", "\"transform-origin\" is not supported");
-    forEachProperty(in.text("style"), [&](std::string_view name, std::string_view) {
-        if (isOneOf(name, geometryProperties))
-            throw in.error("style", fmt::format("\"{}\" in a style is not supported", name),
-                           "write it as an attribute of the element");
-    });
     const M33d m = in.read("transform", readSvgTransform);
     const double determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
     if (!std::isfinite(determinant) || !std::isfinite(m[2][0]) || !std::isfinite(m[2][1]) || determinant == 0)
         throw in.error("transform", "the transformation is singular or too large");
     return m;
 }
+
+/// Gathers the style sheets of a document.
+struct StyleCollector : pugi::xml_tree_walker {
+    explicit StyleCollector(SvgStyleSheets& to) : sheets(to) {}
+    bool for_each(pugi::xml_node& node) override {
+        const std::string_view name = node.name();
+        if (name.substr(name.rfind(':') + 1) != "style") return true;
+        for (const pugi::xml_node& text : node.children())
+            if (!text.first_child() && !sheets.add(text.value(), std::size_t(text.offset_debug()))) {
+                overflow = node;
+                return false;
+            }
+        return true;
+    }
+    SvgStyleSheets& sheets;
+    pugi::xml_node overflow;
+};
 
 /// Points by the matrix. What becomes shorter than any number is dropped.
 SvgPath transformedPath(SvgPath path, const M33d& m, const SvgAttributes& in) {
@@ -129,19 +115,19 @@ SvgReader::SvgReader(const std::shared_ptr<const SourceFile>& file) : buffer_(fi
 
 SvgDrawing SvgReader::read() {
     // Entities of a DOCTYPE are not expanded by pugixml: nothing grows.
-    const pugi::xml_parse_result result =
-        document_.load_buffer_inplace(buffer_.data(), buffer_.size(), pugi::parse_escapes, pugi::encoding_utf8);
+    const pugi::xml_parse_result result = document_.load_buffer_inplace(
+        buffer_.data(), buffer_.size(), pugi::parse_escapes | pugi::parse_cdata, pugi::encoding_utf8);
     if (!result) {
         std::string what = result.description();
         what[0] = char(std::tolower(static_cast<unsigned char>(what[0])));
         throw SceneError(lines_.at(std::size_t(result.offset), 1), "the file is not well-formed XML: " + what);
     }
     const pugi::xml_node root = document_.document_element();
+    entities_ = entitiesIn(std::string_view(drawing_.file->text).substr(0, std::size_t(root.offset_debug())));
     Scope scope;
     declareNamespaces(root, scope);
-    if (svgTag(root, scope) != "svg")
-        throw SceneError(lines_.at(std::size_t(root.offset_debug()), attributesOf(root).nameLength()),
-                         fmt::format("the file is no SVG: it begins with {}", inQuotes(root.name())));
+    if (svgTag(root, scope) != "svg") throw notSvg(root);
+    collectStyles();
     try {
         openOutermost(root, scope);
     } catch (const SvgTextError& error) {
@@ -149,6 +135,67 @@ SvgDrawing SvgReader::read() {
     }
     visitChildren(root, scope);
     return std::move(drawing_);
+}
+
+SceneError SvgReader::notSvg(const pugi::xml_node& root) {
+    const std::string_view name = root.name();
+    const std::size_t colon = name.find(':');
+    const std::string declaration(colon == std::string_view::npos ? "xmlns"
+                                                                  : "xmlns:" + std::string(name.substr(0, colon)));
+    const Place place = lines_.at(std::size_t(root.offset_debug()), name.size());
+    const std::string_view space = root.attribute(declaration.c_str()).value();
+    if (name.substr(colon + 1) != "svg" || space.empty())
+        return SceneError(place, fmt::format("the file is no SVG: it begins with {}", inQuotes(name)));
+    const std::string hint = fmt::format("SVG's is {}=\"{}\"", declaration, svgNamespace);
+    const std::string_view entity = referredEntity(space);
+    if (!entity.empty() && !entities_.contains(entity))
+        return SceneError(
+            place, fmt::format("the namespace is the entity {}, which the file does not define", inQuotes(space)),
+            hint);
+    return SceneError(place, fmt::format("the file is no SVG: its namespace is {}", inQuotes(resolved(space))), hint);
+}
+
+std::string_view SvgReader::resolved(std::string_view value) const {
+    const auto entity = entities_.find(referredEntity(value));
+    return entity == entities_.end() ? value : std::string_view(entity->second);
+}
+
+void SvgReader::collectStyles() {
+    StyleCollector collector(sheets_);
+    document_.traverse(collector);
+    if (collector.overflow)
+        throw SceneError(
+            lines_.at(std::size_t(collector.overflow.offset_debug()), 5),
+            fmt::format("more than {} rules of the style sheets would move outlines", SvgStyleSheets::mostRules));
+}
+
+std::vector<std::string_view> SvgReader::stylesOf(const SvgAttributes& in) const {
+    std::string_view style = in.text("style");
+    std::vector<std::string_view> styles{style};
+    for (auto at = style.find('&'); at != std::string_view::npos; at = style.find('&', at + 1))
+        if (const auto entity = entities_.find(style.substr(at + 1, style.find(';', at) - at - 1));
+            entity != entities_.end())
+            styles.push_back(entity->second);
+    return styles;
+}
+
+bool SvgReader::isHidden(const SvgAttributes& in) const {
+    bool hidden = in.text("display").find("none") != std::string_view::npos;
+    for (const std::string_view style : stylesOf(in))
+        hidden = isHiddenBy(style, hidden);
+    return hidden;
+}
+
+void SvgReader::refuseMovingStyles(std::string_view tag, const SvgAttributes& in, bool isOutermost) const {
+    constexpr const char* remedy = "write it as an attribute of the element";
+    if (!isOutermost)
+        for (const std::string_view style : stylesOf(in))
+            if (const auto name = geometryProperty(style); !name.empty())
+                throw in.error("style", fmt::format("\"{}\" in a style is not supported", name), remedy);
+    if (sheets_.empty()) return;
+    if (const auto* rule = sheets_.find(tag, in.text("id"), in.text("class"), isOutermost))
+        throw SvgTextError(rule->offset, rule->length,
+                           fmt::format("\"{}\" in a style sheet is not supported", rule->property), remedy);
 }
 
 SvgAttributes SvgReader::attributesOf(const pugi::xml_node& node) const {
@@ -165,11 +212,12 @@ void SvgReader::declareNamespaces(const pugi::xml_node& node, Scope& scope) {
         if (name != "xmlns" && !name.starts_with("xmlns:")) continue;
         const std::string prefix(name == "xmlns" ? "" : name.substr(6));
         std::erase(scope.prefixes, prefix);
-        if (attribute.value() == svgNamespace) scope.prefixes.push_back(prefix);
+        const bool isSvg = resolved(attribute.value()) == svgNamespace;
+        if (isSvg) scope.prefixes.push_back(prefix);
         if (scope.prefixes.size() > mostPrefixes)
             throw SceneError(lines_.at(std::size_t(node.offset_debug()), 1),
                              fmt::format("more than {} prefixes for SVG's namespace", mostPrefixes));
-        scope.namespaceKnown |= prefix.empty() || attribute.value() == svgNamespace;
+        scope.namespaceKnown |= prefix.empty() || isSvg;
     }
 }
 
@@ -186,6 +234,7 @@ std::string_view SvgReader::svgTag(const pugi::xml_node& node, const Scope& scop
 void SvgReader::openOutermost(const pugi::xml_node& root, Scope& scope) {
     const SvgAttributes in = attributesOf(root);
     if (in.has("transform")) throw in.error("transform", "a transformation of the whole file is not supported");
+    refuseMovingStyles("svg", in, true);
     const auto side = [&](const char* name) {
         // Of what is around the file, which nobody knows.
         const bool isKnown = !in.text(name).ends_with('%');
@@ -253,6 +302,7 @@ void SvgReader::visit(const pugi::xml_node& node, const Scope& parent) {
                          fmt::format("elements are nested more than {} deep", deepest));
     scope.rendered = scope.rendered && !isUnrendered && !isHidden(in);
     if (!scope.fault) try {
+            refuseMovingStyles(tag, in);
             scope.userFromLocal = ownTransform(in) * scope.userFromLocal;
             if (tag == "svg") openNested(in, scope);
         } catch (const SvgTextError& error) {
@@ -271,6 +321,7 @@ void SvgReader::visitShape(std::string_view tag, const pugi::xml_node& node, con
     element.rendered = scope.rendered && !isHidden(in);
     element.fault = scope.fault;
     if (!element.fault) try {
+            refuseMovingStyles(tag, in);
             const M33d m = ownTransform(in) * scope.userFromLocal;
             element.path = transformedPath(readSvgShape(tag, in, scope.extent), m, in);
             if (element.path.subpaths.empty())

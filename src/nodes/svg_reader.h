@@ -4,6 +4,7 @@
 #include "nodes/svg_attributes.h"
 #include "nodes/svg_coordinates.h"
 #include "nodes/svg_file.h"
+#include "nodes/svg_style.h"
 
 namespace vitrine {
 
@@ -44,12 +45,23 @@ class SvgReader {
     void declareNamespaces(const pugi::xml_node& node, Scope& scope);
     /// The name without its prefix, "" when it is not SVG's.
     std::string_view svgTag(const pugi::xml_node& node, const Scope& scope) const;
+    SceneError notSvg(const pugi::xml_node& root);
+    /// The value of an entity of the file's DOCTYPE where a text is a reference to one and nothing else.
+    std::string_view resolved(std::string_view value) const;
+    void collectStyles();
+    /// The style attribute, and the entities that it refers to.
+    std::vector<std::string_view> stylesOf(const SvgAttributes& in) const;
+    bool isHidden(const SvgAttributes& in) const;
+    /// \throws SvgTextError for a style that would move the element's outline, its own or a sheet's
+    void refuseMovingStyles(std::string_view tag, const SvgAttributes& in, bool isOutermost = false) const;
     SvgAttributes attributesOf(const pugi::xml_node& node) const;
     Diagnostic diagnostic(const SvgTextError& error);
 
     SvgDrawing drawing_;
     std::string buffer_; ///< pugixml works in it, and shortens references there
     pugi::xml_document document_;
+    std::map<std::string, std::string, std::less<>> entities_;
+    SvgStyleSheets sheets_;
     LineCounter lines_;
 };
 

@@ -257,6 +257,62 @@ TEST(SvgFile, WhatIsNoSvg) {
     EXPECT_NE(errorOf(std::string("<svg>\0</svg>", 12)).find("a NUL byte"), std::string::npos);
 }
 
+/// As older Illustrators write their namespaces and styles.
+TEST(SvgFile, EntitiesOfTheDoctype) {
+    const std::string doctype = "<!DOCTYPE svg PUBLIC \"-//W3C//DTD SVG 1.1//EN\" \"svg11.dtd\" [\n"
+                                "\t<!ENTITY ns_svg \"http://www.w3.org/2000/svg\">\n"
+                                "\t<!ENTITY st0 'fill:none;'>\n\t<!ENTITY st1 'transform:scale(2)'>\n]>\n";
+    const SvgDrawing d = readSvgText(doctype + "<svg xmlns=\"&ns_svg;\"><path style=\"&st0;\" d=\"M0 0h1\"/>"
+                                               "<path style=\"&st0;&st1;\" d=\"M0 0h1\"/></svg>",
+                                     "a.svg");
+    ASSERT_EQ(d.elements.size(), 2u);
+    EXPECT_EQ(joints(d.elements[0]), "0,0 1,0");
+    EXPECT_EQ(joints(d.elements[1]), "\"transform\" in a style is not supported");
+    EXPECT_EQ(errorOf("<svg xmlns=\"&ns_svg;\"/>"),
+              "a.svg:1:2: error: the namespace is the entity \"&ns_svg;\", which the file does not define\n"
+              "    <svg xmlns=\"&ns_svg;\"/>\n     ^^^\n    SVG's is xmlns=\"http://www.w3.org/2000/svg\"");
+    EXPECT_EQ(errorOf("<svg xmlns=\"http://other\"/>").substr(0, 66),
+              "a.svg:1:2: error: the file is no SVG: its namespace is \"http://oth");
+}
+
+TEST(SvgFile, StyleSheetsThatWouldMoveOutlines) {
+    const auto styled = [](const std::string& sheet, const std::string& attributes = "") {
+        return joints("<g class=\"layer one\"><path id=\"p\" class=\"cls-1\" " + attributes +
+                      " d=\"M0 0h1\"/></g><style>" + sheet + "</style>");
+    };
+    const std::string refused = "\"transform\" in a style sheet is not supported";
+    for (const char* sheet :
+         {"path{transform:translate(50px,0)}", "* { TRANSFORM : rotate(3deg) }", ".cls-1{fill:red;transform:none}",
+          "#p{transform:scale(2)}", "rect,g.one > path{transform:scale(2)}", "g { transform:scale(2) }",
+          ".layer.one{transform:scale(2)}", "@media all { path:not(.other) { transform:scale(2) } }",
+          "svg{transform:scale(2)}", "<![CDATA[ /* } */ path{transform:scale(2)} ]]>", "svg|path{transform:scale(2)}",
+          "text{fill:url('a}b')} path{transform:scale(2)}"}) {
+        const std::string file = header +
+                                 "<g class=\"layer one\"><path id=\"p\" class=\"cls-1\" d=\"M0 0h1\"/></g><style>" +
+                                 sheet + "</style></svg>";
+        std::string found;
+        try {
+            found = joints(readSvgText(file, "a.svg").elements.at(0));
+        } catch (const SceneError& e) {
+            found = e.diagnostics().front().message;
+        }
+        EXPECT_EQ(found, refused) << sheet;
+    }
+    EXPECT_EQ(styled("path{d:path('M0 0h2')}"), "\"d\" in a style sheet is not supported");
+    for (const char* sheet :
+         {"path{fill:red;stroke-width:3;text-transform:none}", ".cls-2{transform:scale(2)}", "#q{x:3px}",
+          "text{transform:scale(2)}", ".layer.two{transform:scale(2)}", "/* path{transform:scale(2)} */",
+          "@font-face{d:1} @keyframes a{from{transform:scale(2)}}", "svg{width:100%;height:auto}", "path{", "}}{",
+          "@media", "path{/*", ""})
+        EXPECT_EQ(styled(sheet), "0,0 1,0") << sheet;
+    const SvgDrawing d =
+        drawing("<style>\n.a{fill:red}\n .b { fill:red; rx : 3px }</style>"
+                "<rect class=\"a\" width=\"1\" height=\"1\"/><rect class=\"b\" width=\"1\" height=\"1\"/>");
+    EXPECT_FALSE(d.elements.at(0).fault);
+    EXPECT_EQ(d.elements.at(1).fault->toString().substr(0, 59),
+              "a.svg:4:17: error: \"rx\" in a style sheet is not supported\n");
+}
+
 TEST(SvgFile, IsReadCompressedAndNamesWhoNamedIt) {
     const ScratchDirectory folder;
     const std::string name = folder.write("a.svg", "<svg><g>");
