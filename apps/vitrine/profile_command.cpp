@@ -39,7 +39,9 @@ std::optional<Ray> readRay(const std::string& text) {
 }
 
 /// All that are shown; or those with this name, or else the one of this number, counted from 1 among those shown.
-std::vector<FoundProfile> chosen(const std::vector<FoundProfile>& all, const std::string& only) {
+/// \param none what to say when none is shown
+std::vector<FoundProfile> chosen(const std::vector<FoundProfile>& all, const std::string& only,
+                                 const std::string& none) {
     std::vector<FoundProfile> shown, named;
     std::vector<std::string> names;
     for (const FoundProfile& profile : all) {
@@ -49,11 +51,14 @@ std::vector<FoundProfile> chosen(const std::vector<FoundProfile>& all, const std
         if (std::find(profile.names.begin(), profile.names.end(), only) != profile.names.end())
             named.push_back(profile);
     }
-    if (only.empty()) return shown;
-    if (!named.empty()) return named;
+    if (!only.empty() && !named.empty()) return named;
+    if (only.empty() && !shown.empty()) return shown;
     for (std::size_t i = 0; i < shown.size(); ++i)
         if (std::to_string(i + 1) == only) return {shown[i]};
-    std::string message = fmt::format("--only {}: the profiles have the numbers 1 to {}", only, shown.size());
+    std::string message = shown.empty() ? none
+                          : shown.size() == 1
+                              ? fmt::format("--only {}: the only profile has the number 1", only)
+                              : fmt::format("--only {}: the profiles have the numbers 1 to {}", only, shown.size());
     if (const std::string hint = didYouMean(only, names); !hint.empty()) message += "\n    " + hint;
     throw std::invalid_argument(message);
 }
@@ -66,6 +71,11 @@ void write(const plot::Figure& figure, const std::string& file) {
         const auto bytes = plot::toPng(figure, pixelsPerPoint);
         replaceFile(file, {bytes});
     }
+}
+
+void tell(const std::vector<Diagnostic>& warnings) {
+    for (const Diagnostic& warning : warnings)
+        tellLine("{}", warning.toString());
 }
 
 void drawProfiles(ProfileArguments a) {
@@ -81,15 +91,14 @@ void drawProfiles(ProfileArguments a) {
     if (!isSvg && !a.settings.empty())
         throw std::invalid_argument("--set says where the axis is in an SVG file: a scene says so itself");
     const FoundProfiles found = isSvg ? profilesOfSvg(a.file, a.settings, ray) : profilesOfScene(a.file, ray);
-    for (const Diagnostic& warning : found.warnings)
-        tellLine("{}", warning.toString());
-    const std::vector<FoundProfile> profiles = chosen(found.profiles, a.only);
-    if (profiles.empty())
-        throw std::invalid_argument(fmt::format(
-            "{}: there is no {}", a.file, isSvg ? "outline in this drawing" : "shape \"revolution\" in this scene"));
+    if (a.only.empty() || !isSvg) tell(found.warnings); // of an SVG file: about the other outlines
+    const std::string none = fmt::format("{}: there is no {}", a.file,
+                                         isSvg ? "outline in this drawing" : "shape \"revolution\" in this scene");
     plot::Figure figure;
-    for (const FoundProfile& profile : profiles)
-        plot::addProfile(figure, profile.drawing);
+    std::vector<Diagnostic> warnings;
+    for (const FoundProfile& profile : chosen(found.profiles, a.only, none))
+        plot::addProfile(figure, profile.draw(warnings));
+    tell(warnings);
     write(figure, a.output);
 }
 

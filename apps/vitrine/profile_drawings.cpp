@@ -46,7 +46,39 @@ void placeRay(ProfileDrawing& drawing, const Ray& ray, const std::vector<Transfo
         drawing.rayTitle += fmt::format(", seen from instance {} of {}", chosen + 1, worldFromObject.size());
 }
 
+ProfileDrawing drawingOf(const Revolution& revolution, const SourceShape& source, const SceneNodes& nodes,
+                         const std::optional<Ray>& ray) {
+    const Place& place = source.node->place;
+    checkSegments(revolution.profile().segments().size(), place);
+    ProfileDrawing drawing;
+    drawing.title = "Revolution at " + plot::unmarked(fmt::format("{}:{}", place.file->name, place.line));
+    drawing.unit = "units";
+    drawing.segments = revolution.profile().segments();
+    drawing.profile = revolution.profile();
+    drawing.phiMaxDegrees = revolution.phiMaxDegrees();
+    drawing.subtitle = describeProfile(drawing);
+    if (source.object >= 0) {
+        const std::string& name = nodes.objects[std::size_t(source.object)].name;
+        drawing.subtitle += fmt::format("; in object \"{}\"", plot::unmarked(name));
+    }
+    if (ray) {
+        const auto worldFromObject = placements(nodes, source);
+        if (worldFromObject.empty())
+            drawing.subtitle += ", which has no instance for the ray to meet";
+        else
+            placeRay(drawing, *ray, worldFromObject);
+    }
+    return drawing;
+}
+
 } // namespace
+
+void checkSegments(std::size_t count, const Place& place) {
+    if (count > mostSegmentsInFigure)
+        throw SceneError(
+            place, fmt::format("a figure shows at most {} segments, this profile has {}", mostSegmentsInFigure, count),
+            "--only chooses another one");
+}
 
 std::string describeProfile(const ProfileDrawing& drawing) {
     std::set<int> degrees;
@@ -81,28 +113,10 @@ FoundProfiles profilesOfScene(const std::string& file, const std::optional<Ray>&
     FoundProfiles found;
     found.warnings = scene.warnings;
     for (const SourceShape& source : scene.shapes)
-        for (const ShapePtr& shape : source.shapes) {
-            const auto& revolution = dynamic_cast<const Revolution&>(*shape);
-            const Place& place = source.node->place;
-            ProfileDrawing drawing;
-            drawing.title = "Revolution at " + plot::unmarked(fmt::format("{}:{}", place.file->name, place.line));
-            drawing.unit = "units";
-            drawing.segments = revolution.profile().segments();
-            drawing.profile = revolution.profile();
-            drawing.phiMaxDegrees = revolution.phiMaxDegrees();
-            drawing.subtitle = describeProfile(drawing);
-            if (source.object >= 0) {
-                const std::string& name = scene.nodes->objects[std::size_t(source.object)].name;
-                drawing.subtitle += fmt::format("; in object \"{}\"", plot::unmarked(name));
-            }
-            if (ray) {
-                const auto worldFromObject = placements(*scene.nodes, source);
-                if (worldFromObject.empty())
-                    drawing.subtitle += ", which has no instance for the ray to meet";
-                else
-                    placeRay(drawing, *ray, worldFromObject);
-            }
-            found.profiles.push_back({{}, false, std::move(drawing)});
-        }
+        for (const ShapePtr& shape : source.shapes)
+            found.profiles.push_back({{}, false, [shape, source, nodes = scene.nodes, ray](std::vector<Diagnostic>&) {
+                                          return drawingOf(dynamic_cast<const Revolution&>(*shape), source, *nodes,
+                                                           ray);
+                                      }});
     return found;
 }

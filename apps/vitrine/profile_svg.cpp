@@ -24,6 +24,10 @@ std::vector<BezierCurve> curvesOf(const SvgPath& path, const ProfileFrame& frame
 
 ProfileDrawing drawingOf(const SvgElement& element, const SvgDrawing& file, const ProfileFrame& frame,
                          const std::string& unit, std::vector<Diagnostic>& warnings) {
+    std::size_t count = 0;
+    for (const SvgSubpath& subpath : element.path.subpaths)
+        count += subpath.segments.size();
+    checkSegments(count, element.place);
     ProfileDrawing drawing;
     const std::string name = element.id.empty() ? element.label : element.id;
     drawing.title =
@@ -61,26 +65,29 @@ FoundProfiles profilesOfSvg(const std::string& file, const std::vector<std::stri
     for (const std::string& setting : settings)
         list.push_back(parseSetting(setting));
     const ParameterSet parameters(std::move(list), {}, "srgb", {});
-    const SvgDrawing svg = readSvgFile(file);
-    const ProfileFrame frame = frameOfFile(parameters, svg);
+    const auto svg = std::make_shared<const SvgDrawing>(readSvgFile(file));
+    const ProfileFrame frame = frameOfFile(parameters, *svg);
     const std::string unit = unitOf(parameters);
     Diagnostics diagnostics;
     parameters.report(diagnostics);
     diagnostics.throwIfErrors();
 
     FoundProfiles found;
-    for (const SvgElement& element : svg.elements) {
-        if (element.fault) {
-            found.warnings.push_back(*element.fault);
-            found.warnings.back().severity = Diagnostic::Severity::Warning;
-        }
-        if (element.path.subpaths.empty()) continue;
-        ProfileDrawing drawing = drawingOf(element, svg, frame, unit, found.warnings);
-        if (ray && drawing.profile) {
-            drawing.ray = ray;
-            drawing.rayTitle = describeRay("Profile-space", *ray);
-        }
-        found.profiles.push_back({{element.id, element.label}, !element.rendered, std::move(drawing)});
+    for (const SvgElement& element : svg->elements) {
+        const FoundProfile profile{
+            {element.id, element.label}, !element.rendered || element.fault, [=, &element](auto& warnings) {
+                if (element.fault) throw SceneError({*element.fault});
+                ProfileDrawing drawing = drawingOf(element, *svg, frame, unit, warnings);
+                if (ray && drawing.profile) {
+                    drawing.ray = ray;
+                    drawing.rayTitle = describeRay("Profile-space", *ray);
+                }
+                return drawing;
+            }};
+        found.profiles.push_back(profile);
+        if (!element.fault) continue;
+        found.warnings.push_back(*element.fault);
+        found.warnings.back().severity = Diagnostic::Severity::Warning;
     }
     return found;
 }

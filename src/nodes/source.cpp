@@ -78,7 +78,7 @@ std::string readWholeFile(const std::string& fileName, TextBudget& budget, bool 
     }
 }
 
-void checkIsText(const std::shared_ptr<const SourceFile>& file) {
+void checkIsText(const std::shared_ptr<const SourceFile>& file, std::string_view kind) {
     const std::string_view text = file->text;
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
         throw SceneError(Place{file}, "the file is UTF-16", "save it as UTF-8");
@@ -87,7 +87,8 @@ void checkIsText(const std::shared_ptr<const SourceFile>& file) {
     const std::string_view before = text.substr(0, zero);
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const std::size_t lineStart = before.rfind('\n') + 1;
-    throw SceneError(Place{file, int(line), int(zero - lineStart) + 1}, "a NUL byte: this is not the text of a scene");
+    throw SceneError(Place{file, int(line), int(zero - lineStart) + 1},
+                     fmt::format("a NUL byte: this is not the text of {}", kind));
 }
 
 } // namespace vitrine

@@ -7,6 +7,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <string_view>
 
 namespace vitrine {
 
@@ -27,7 +28,8 @@ std::string readWholeFile(const std::string& fileName, TextBudget& budget, bool 
 /// The same for a file alone.
 std::string readWholeFile(const std::string& fileName);
 
-/// Refuses what is no text (NUL bytes, UTF-16) once, before every line of it becomes an error. \throws SceneError
-void checkIsText(const std::shared_ptr<const SourceFile>& file);
+/// Refuses what is no text (NUL bytes, UTF-16) once, before every line of it becomes an error.
+/// \param kind what it should be \throws SceneError
+void checkIsText(const std::shared_ptr<const SourceFile>& file, std::string_view kind = "a scene");
 
 } // namespace vitrine

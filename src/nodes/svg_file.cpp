@@ -94,7 +94,7 @@ SvgDrawing readSvgText(std::string text, const std::string& name, const Place& n
     file->text = std::move(text);
     file->includedFrom = namedAt.file;
     file->includedAtLine = namedAt.line;
-    checkIsText(file);
+    checkIsText(file, "an SVG file");
     return SvgReader(file).read();
 }
 

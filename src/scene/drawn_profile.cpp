@@ -8,8 +8,6 @@ namespace vitrine {
 
 namespace {
 
-constexpr std::size_t mostSegments = 100000;
-
 /// A segment in radius and height.
 struct Piece {
     std::vector<V2d> points;
@@ -100,8 +98,10 @@ Profile profileOfDrawing(const SvgPath& path, const ProfileFrame& frame,
     const SvgSubpath& line = path.subpaths.at(0);
     const SvgSegment& first = line.segments.at(0);
     if (line.segments.size() > mostSegments)
-        throw SceneError(placeOf(first), fmt::format("a profile has at most {} segments, this one has {}", mostSegments,
-                                                     line.segments.size()));
+        throw SceneError(
+            placeOf(first),
+            fmt::format("a profile has at most {} segments, this one has {}", mostSegments, line.segments.size()),
+            "simplify the line (Inkscape: Path > Simplify)");
     Pieces pieces = mapped(line, frame);
     const Imath::Box2d bounds = boundsOf(pieces);
     const double radius = std::max(-bounds.min.x, bounds.max.x);

@@ -25,6 +25,9 @@ struct ProfileFrame {
 /// that are no longer than this.
 constexpr double drawingTolerance = 1e-6;
 
+/// A segment takes up to 20 kilobytes of a revolution: parts, their solvers and tables.
+constexpr std::size_t mostSegments = 10000;
+
 /// \param placeOf where a segment is written
 /// \throws SceneError when the outline is no profile: several lines, a radius below zero ...
 Profile profileOfDrawing(const SvgPath& path, const ProfileFrame& frame,

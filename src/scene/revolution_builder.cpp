@@ -13,8 +13,12 @@ namespace {
 /// One that crosses the axis is shown at the segment's point that lies farthest beyond.
 Profile profileOfPoints(const ParameterSet& p) {
     const std::vector<V2d> points = p.getPoint2s("P");
-    if (points.empty()) throw SceneError(p.place("P"), "\"P\" has no points");
+    if (points.empty()) throw SceneError(std::vector<Diagnostic>{}); // what is wrong with "P" is recorded
+    if (points.size() == 1) throw SceneError(p.place("P"), "a profile needs at least two control points, not one");
     const int degree = p.getInteger("degree", int(points.size()) - 1);
+    if (degree > 0 && (points.size() - 1) / std::size_t(degree) > mostSegments)
+        throw SceneError(p.place("P"), fmt::format("a profile has at most {} segments, this one has {}", mostSegments,
+                                                   (points.size() - 1) / std::size_t(degree)));
     try {
         return Profile(points, degree);
     } catch (const NegativeRadius& e) {

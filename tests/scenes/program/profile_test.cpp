@@ -126,6 +126,35 @@ TEST_F(ProfileCommand, NamesWhatIsWrong) {
         EXPECT_FALSE(exists(std::string(name) + "_profile.svg"));
 }
 
+/// Neither is waited for: what is chosen is looked up first, and too much is refused.
+TEST_F(ProfileCommand, LargeDrawings) {
+    std::string line = "M 50 0", many;
+    for (int i = 0; i < 2001; ++i)
+        line += " v 1";
+    for (int i = 0; i < 30000; ++i)
+        many += "<path d=\"M 60 0 c 9 9 9 9 0 9\"/>\n";
+    const std::string header = "<svg xmlns=\"http://www.w3.org/2000/svg\">\n";
+    write("long.svg", header + "<path id=\"long\" d=\"" + line + "\"/>\n<path id=\"bad\" d=\"M 1 k\"/>\n" +
+                          "<path id=\"short\" d=\"M 60 0 v 1\"/></svg>\n");
+    write("many.svg", header + many + "</svg>\n");
+    const ProgramResult tooLong = run({"profile", "long.svg", "--only", "long"});
+    EXPECT_EQ(tooLong.exitCode, 1);
+    EXPECT_THAT(tooLong.err,
+                testing::StartsWith("long.svg:2:2: error: a figure shows at most 2000 segments, this profile "
+                                    "has 2001\n"));
+    EXPECT_THAT(tooLong.err, testing::EndsWith("\n    --only chooses another one\n"));
+    fail({"profile", "many.svg", "--only", "none"}, 1,
+         "vitrine: --only none: the profiles have the numbers 1 to 30000");
+    const ProgramResult bad = run({"profile", "long.svg", "--only", "bad"});
+    EXPECT_EQ(bad.exitCode, 1);
+    EXPECT_THAT(bad.err, HasSubstr("long.svg:3:"));
+    EXPECT_THAT(bad.err, Not(HasSubstr("warning")));
+    EXPECT_FALSE(exists("long_profile.svg"));
+    succeed({"profile", "long.svg", "--only", "short"});
+    write("broken.svg", header + "<path id=\"a\" d=\"M 1 k\"/></svg>\n");
+    fail({"profile", "broken.svg", "--only", "b"}, 1, "vitrine: broken.svg: there is no outline in this drawing");
+}
+
 TEST_F(ProfileCommand, FilesThatCannotBeReadOrWritten) {
     EXPECT_EQ(run({"profile", "none.pbrt"}).exitCode, 2);
     EXPECT_EQ(run({"profile", "none.svg"}).exitCode, 2);

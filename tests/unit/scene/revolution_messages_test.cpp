@@ -25,6 +25,16 @@ TEST(RevolutionMessages, NegativeRadius) {
 }
 
 TEST(RevolutionMessages, WrongParameters) {
+    EXPECT_EQ(revolutionErrors("\"point2 P\" [ 1 2 ]"),
+              Lines{"2:20: error: a profile needs at least two control points, not one"});
+    EXPECT_EQ(revolutionErrors("\"point2 P\" [ 1 2 3 ]"),
+              Lines{"2:20: error: \"point2 P\" takes a multiple of 2 values, got 3"});
+    EXPECT_EQ(revolutionErrors("\"point2 P\" [ ]"), Lines{"2:31: error: \"point2 P\" has no value"});
+    std::string many = "1 0 ";
+    for (int i = 0; i <= 10000; ++i)
+        many += "1 1 ";
+    EXPECT_EQ(revolutionErrors("\"integer degree\" 1 \"point2 P\" [ " + many + "]"),
+              Lines{"2:39: error: a profile has at most 10000 segments, this one has 10001"});
     EXPECT_EQ(revolutionErrors("\"point2 P\" [ 1 0 1 1 ] \"string vmap\" \"arclenth\"").size(), 1u);
     EXPECT_TRUE(revolutionErrors("\"point2 P\" [ 1 0 1 1 ] \"string vmap\" \"arclength\"").empty());
     EXPECT_TRUE(revolutionErrors("\"point2 P\" [ 1 0 1 1 ] \"string vmap\" \"parameter\"").empty());
