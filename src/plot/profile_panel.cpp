@@ -46,7 +46,69 @@ void drawPolygon(Figure& figure, const Axes& axes, const std::vector<BezierCurve
     figure.end();
 }
 
-/// Joints as filled disks, the beginning as a larger one; numbers on segments that have room for one.
+/// Finds places for the numbers of segments where they cover neither one another nor the curve.
+class NumberPlaces {
+  public:
+    NumberPlaces(const Axes& axes, const std::vector<BezierCurve>& segments) {
+        constexpr int steps = 24;
+        for (const BezierCurve& segment : segments)
+            for (int i = 0; i <= steps; ++i)
+                curve_.push_back(axes.at(segment.point(double(i) / steps)));
+    }
+
+    /// The centre of a number for the point, on one side of it or the other, the nearest that is free; none is.
+    std::optional<V2d> place(const V2d& point, const V2d& normal) {
+        for (const double distance : {9., 15., 22., 30., 39., 50., 62.})
+            for (const double side : {1., -1.})
+                for (const double turn : {0., 0.5, -0.5, 1., -1.}) {
+                    const V2d along(-normal.y, normal.x);
+                    const V2d at = point + (normal * std::cos(turn) * side + along * std::sin(turn)) * distance;
+                    if (isFree(at)) return numbers_.emplace_back(at);
+                }
+        return {};
+    }
+
+  private:
+    bool isFree(const V2d& at) const {
+        const auto isApart = [&](double width, double height) {
+            return [=](const V2d& p) { return std::abs(p.x - at.x) > width || std::abs(p.y - at.y) > height; };
+        };
+        return std::all_of(curve_.begin(), curve_.end(), isApart(5.5, 5.5)) &&
+               std::all_of(numbers_.begin(), numbers_.end(), isApart(13, 10));
+    }
+
+    std::vector<V2d> curve_, numbers_;
+};
+
+/// A number that had to be put aside has a line to its segment. Of very many segments only the long ones have numbers.
+void drawNumbers(Figure& figure, const Axes& axes, const ProfileDrawing& drawing) {
+    constexpr std::size_t many = 60;
+    constexpr double beside = 9, baseline = 3;
+    const auto& segments = drawing.segments;
+    const double outside = drawing.profile && drawing.profile->drawnInsideOut() ? -1 : 1;
+    NumberPlaces places(axes, segments);
+    figure.begin("segment-numbers");
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const BezierCurve& segment = segments[i];
+        if (segments.size() > many && (segment.last() - segment.first()).length() * axes.scale().x < 24) continue;
+        const CurvePoint middle = segment.evaluate(0.5);
+        V2d tangent = middle.d1.length() > 0 ? middle.d1 : segment.last() - segment.first();
+        if (!(tangent.length() > 0)) continue;
+        tangent.normalize();
+        const V2d point = axes.at(middle.p), normal = V2d(tangent.y, tangent.x) * outside;
+        const std::optional<V2d> at = places.place(point, normal);
+        if (!at) continue;
+        const V2d way = *at - point;
+        if (way.length() > beside + 1) {
+            const V2d direction = way.normalized();
+            figure.add(Line{{point, *at - direction * 5.5}, Pen{colourOfSegment(i), 0.6, 0.8}});
+        }
+        figure.add(Text{*at + V2d(0, baseline), std::to_string(i), 9, Anchor::Middle, colourOfSegment(i), true});
+    }
+    figure.end();
+}
+
+/// Joints as filled disks, the beginning as a larger one.
 void drawJoints(Figure& figure, const Axes& axes, const ProfileDrawing& drawing) {
     const auto& segments = drawing.segments;
     figure.begin("joints");
@@ -56,18 +118,7 @@ void drawJoints(Figure& figure, const Axes& axes, const ProfileDrawing& drawing)
         figure.add(Disk{axes.at(segment.first()), 2.5, Pen{ink, 0.5}, Brush{ink}});
     figure.add(Disk{axes.at(segments.back().last()), 2.5, Pen{ink, 0.5}, Brush{ink}});
     figure.end();
-    if (segments.size() < 2) return;
-    const double outside = drawing.profile && drawing.profile->drawnInsideOut() ? -1 : 1;
-    figure.begin("segment-numbers");
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        const double length = segments[i].length().value * axes.scale().x;
-        const CurvePoint middle = segments[i].evaluate(0.5);
-        if (length < 24 || !(middle.d1.length() > 0)) continue;
-        const V2d tangent = middle.d1.normalized();
-        const V2d at = axes.at(middle.p) + V2d(tangent.y, tangent.x) * (outside * 9.);
-        figure.add(Text{at + V2d(0, 3), std::to_string(i), 9, Anchor::Middle, colourOfSegment(i), true});
-    }
-    figure.end();
+    if (segments.size() > 1) drawNumbers(figure, axes, drawing);
 }
 
 void drawRayPath(Figure& figure, const Axes& axes, const ProfileDrawing& drawing) {

@@ -73,6 +73,24 @@ TEST(ProfileFigure, HoldsThePanels) {
     EXPECT_TRUE(isFiniteFigure(figure));
 }
 
+/// Short segments too, and where lines cross: each has a number, and no two lie on each other.
+TEST(ProfileFigure, NumbersEverySegmentApart) {
+    std::vector<V2d> points{{1, 0}, {2, 0}, {2, 3}, {1.99, 3.01}, {1.98, 3.01}, {1.97, 3}, {1, 3}};
+    for (int i = 0; i < 6; ++i) // lines through one point, their middles
+        points.insert(points.end(), {V2d(1.5 + 0.4 * std::cos(i * 0.5), 1.5 + 0.4 * std::sin(i * 0.5)),
+                                     V2d(1.5 - 0.4 * std::cos(i * 0.5), 1.5 - 0.4 * std::sin(i * 0.5))});
+    const Figure figure = figureOf(drawingOf(points, 1));
+    std::vector<Text> numbers;
+    for (const auto& item : group(figure, "segment-numbers"))
+        if (const auto* text = std::get_if<Text>(&item)) numbers.push_back(*text);
+    ASSERT_EQ(numbers.size(), points.size() - 1);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            EXPECT_TRUE(std::abs(numbers[i].at.x - numbers[k].at.x) > 12 ||
+                        std::abs(numbers[i].at.y - numbers[k].at.y) > 9)
+                << i << " on " << k;
+}
+
 TEST(ProfileFigure, CombTeethAreAsLongAsTheCurvatureSays) {
     // Nearly half a circle of radius 2 about (3, 0): curvature 1/2, teeth nearly alike, outwards.
     constexpr double k = 2 * 0.5522847498;
