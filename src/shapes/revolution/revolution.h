@@ -37,9 +37,9 @@ enum class VMap { Parameter, ArcLength };
 ///
 /// Path data: M L H V Q C S T A Z and lower case, one subpath. An arc becomes cubics (each a segment) within 1e-6 of
 /// its radius. In a file: path, line, polyline, polygon, rect, circle, ellipse, with all transformations and view boxes
-/// around them; styles are not looked at, except that nothing hidden is taken without `id`. What lies within 1e-6 of the
-/// profile's extent from the axis is put onto it, ends so near to each other are joined, and lines along the axis at the
-/// profile's ends are left out. A profile on the other side of the axis is an error; `flipx` mirrors it.
+/// around them; of styles only this matters: nothing hidden is taken without `id`, and one that would move an outline is
+/// an error. What lies within 1e-6 of the profile's extent from the axis is put onto it, ends so near to each other are
+/// joined, and lines along the axis at the profile's ends are left out. A profile on the other side of the axis is an error; `flipx` mirrors it.
 class Revolution final : public Shape {
   public:
     /// \throws std::invalid_argument
