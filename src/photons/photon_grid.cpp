@@ -5,7 +5,11 @@
 #include <tbb/parallel_for.h>
 
 #include <bit>
+#include <cstring>
+
+#ifdef __AVX__
 #include <immintrin.h>
+#endif
 
 namespace vitrine {
 
@@ -18,29 +22,50 @@ unsigned chosenBits(unsigned asked, std::size_t photons) {
     return asked > 0 ? asked : std::clamp(unsigned(std::bit_width(photons)), 10u, 28u);
 }
 
+using Eight [[gnu::vector_size(32)]] = float;
+using EightMask [[gnu::vector_size(32)]] = std::int32_t;
+
+unsigned bitsOf(const EightMask& mask) {
+#ifdef __AVX__
+    return unsigned(_mm256_movemask_ps(__m256(mask)));
+#else
+    unsigned bits = 0;
+    for (unsigned i = 0; i < lanes; ++i)
+        bits |= unsigned(mask[i] != 0) << i;
+    return bits;
+#endif
+}
+
 /// Lanes, as bits, in whose disk the photons p[0] to p[7] lie, by the same operations as distance2InDisk().
 unsigned eightInDisk(const GatherDisk& disk, const Photon* p, float* distance2) {
+    // Places of four photons and four others, transposed: x, y, z of all eight.
     const auto pair = [p](int i) {
-        const __m128 low = _mm_load_ps(reinterpret_cast<const float*>(p + i));
-        return _mm256_insertf128_ps(_mm256_castps128_ps256(low), _mm_load_ps(reinterpret_cast<const float*>(p + i + 4)),
-                                    1);
+        using Four [[gnu::vector_size(16)]] = float;
+        const auto load = [](const Photon* photon) {
+            Four place;
+            std::memcpy(&place, photon, sizeof place);
+            return place;
+        };
+        return __builtin_shufflevector(load(p + i), load(p + i + 4), 0, 1, 2, 3, 4, 5, 6, 7);
     };
-    const __m256 p0 = pair(0), p1 = pair(1), p2 = pair(2), p3 = pair(3);
-    const __m256 xy01 = _mm256_unpacklo_ps(p0, p1), xy23 = _mm256_unpacklo_ps(p2, p3);
-    const __m256 z01 = _mm256_unpackhi_ps(p0, p1), z23 = _mm256_unpackhi_ps(p2, p3);
-    const auto low = [](const __m256& a, const __m256& b) { return _mm256_shuffle_ps(a, b, 0x44); };
-    const auto high = [](const __m256& a, const __m256& b) { return _mm256_shuffle_ps(a, b, 0xee); };
+    const Eight p0 = pair(0), p1 = pair(1), p2 = pair(2), p3 = pair(3);
+    const auto low = [](const Eight& a, const Eight& b) {
+        return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+    };
+    const Eight xy01 = low(p0, p1), xy23 = low(p2, p3);
+    const Eight z01 = __builtin_shufflevector(p0, p1, 2, 10, 2, 10, 6, 14, 6, 14);
+    const Eight z23 = __builtin_shufflevector(p2, p3, 2, 10, 2, 10, 6, 14, 6, 14);
     const V3f &c = disk.center, &n = disk.normal;
-    const __m256 dx = low(xy01, xy23) - _mm256_set1_ps(c.x), dy = high(xy01, xy23) - _mm256_set1_ps(c.y),
-                 dz = low(z01, z23) - _mm256_set1_ps(c.z);
-    const __m256 off = dx * _mm256_set1_ps(n.x) + dy * _mm256_set1_ps(n.y) + dz * _mm256_set1_ps(n.z);
-    const __m256 d2 = dx * dx + dy * dy + dz * dz - off * off;
-    const __m256 high0 = _mm256_andnot_ps(_mm256_set1_ps(-0.f), off);
-    const __m256 inside =
-        _mm256_and_ps(_mm256_cmp_ps(d2, _mm256_set1_ps(disk.radius2()), _CMP_LT_OQ),
-                      _mm256_cmp_ps(high0, _mm256_set1_ps(GatherDisk::thickness * disk.radius), _CMP_LE_OQ));
-    _mm256_storeu_ps(distance2, _mm256_max_ps(d2, _mm256_setzero_ps()));
-    return unsigned(_mm256_movemask_ps(inside));
+    const Eight dx = __builtin_shufflevector(xy01, xy23, 0, 1, 8, 9, 4, 5, 12, 13) - c.x,
+                dy = __builtin_shufflevector(xy01, xy23, 2, 3, 10, 11, 6, 7, 14, 15) - c.y,
+                dz = __builtin_shufflevector(z01, z23, 0, 1, 8, 9, 4, 5, 12, 13) - c.z;
+    const Eight off = dx * n.x + dy * n.y + dz * n.z;
+    const Eight d2 = dx * dx + dy * dy + dz * dz - off * off;
+    const Eight height = off < 0 ? -off : off;
+    const EightMask inside = (d2 < disk.radius2()) & (height <= GatherDisk::thickness * disk.radius);
+    const Eight nearest = d2 > 0 ? d2 : Eight{};
+    std::memcpy(distance2, &nearest, sizeof nearest);
+    return bitsOf(inside);
 }
 
 } // namespace
@@ -89,7 +114,7 @@ std::vector<std::uint32_t> PhotonGrid::sortIntoParts(PhotonBlocks blocks, unsign
             sum += std::exchange(offsets[block * parts + part], sum);
     }
     partStarts[parts] = sum;
-    // The last first: what was allocated last goes back to the system first, and the photons never take twice their room.
+    // The last first, as what was allocated last goes back to the system first: photons should not take twice their room.
     tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t i) {
         const std::size_t block = blocks.size() - 1 - i;
         std::uint32_t* const next = &offsets[block * parts];

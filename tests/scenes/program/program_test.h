@@ -50,16 +50,17 @@ class ProgramTest : public testing::Test {
 
     /// A lit room of a few pixels, called "scene.pbrt".
     std::string writeScene(const std::string& header = "", const std::string& world = "") const {
-        return write("scene.pbrt", "LookAt 0 1 4  0 .6 0  0 1 0\nCamera \"perspective\" \"float fov\" 40\n"
-                                   "Film \"rgb\" \"integer xresolution\" 24 \"integer yresolution\" 16\n"
-                                   "Sampler \"zsobol\" \"integer pixelsamples\" 4\n"
-                                   "Integrator \"path\" \"integer maxdepth\" 8\n" +
-                                       header +
-                                       "WorldBegin\nLightSource \"infinite\" \"rgb L\" [ .4 .5 .6 ]\n"
-                                       "Shape \"plane\" \"normal n\" [ 0 1 0 ]\n"
-                                       "AttributeBegin\n  Translate 0 .6 0\n  Material \"dielectric\"\n"
-                                       "  Shape \"sphere\" \"float radius\" .6\nAttributeEnd\n" +
-                                       world);
+        return write("scene.pbrt",
+                     "LookAt 0 1 4  0 .6 0  0 1 0\nCamera \"perspective\" \"float fov\" 40\n"
+                     "Film \"rgb\" \"integer xresolution\" 24 \"integer yresolution\" 16\n"
+                     "Sampler \"zsobol\" \"integer pixelsamples\" 4\n"
+                     "Integrator \"path\" \"integer maxdepth\" 8\n" +
+                         header +
+                         "WorldBegin\nLightSource \"infinite\" \"rgb L\" [ .4 .5 .6 ]\n"
+                         "AttributeBegin Rotate -90 1 0 0 Shape \"disk\" \"float radius\" 20 AttributeEnd\n"
+                         "AttributeBegin\n  Translate 0 .6 0\n  Material \"dielectric\"\n"
+                         "  Shape \"sphere\" \"float radius\" .6\nAttributeEnd\n" +
+                         world);
     }
 
     TemporaryFolder folder_;
