@@ -14,10 +14,10 @@ constexpr const char* bowl = "Material \"dielectric\"\nShape \"revolution\" \"in
 class MeshCommand : public ProgramTest {};
 
 TEST_F(MeshCommand, WritesASceneThatRendersAlike) {
-    writeScene("", bowl);
+    writeScene("", std::string("Shape \"plane\"\n") + bowl);
     const ProgramResult result = run({"mesh", "scene.pbrt", "-o", "out/deep"});
     EXPECT_EQ(result.exitCode, 0) << result.describe();
-    EXPECT_THAT(result.err, HasSubstr("scene.pbrt:8:1: warning: pbrt-v4 has no infinite plane"));
+    EXPECT_THAT(result.err, HasSubstr("scene.pbrt:14:1: warning: pbrt-v4 has no infinite plane"));
     EXPECT_THAT(result.out, HasSubstr("meshes/revolution-1.ply: "));
     EXPECT_THAT(result.out, HasSubstr("out/deep/scene.pbrt\n"));
     EXPECT_TRUE(exists("out/deep/meshes/revolution-1.ply"));
