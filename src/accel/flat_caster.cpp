@@ -1,6 +1,7 @@
 // A handful of primitives: no tree and no single precision. Their boxes are tested four at a time, and the shapes asked
 // where the ray meets them.
 #include "accel/instance.h"
+#include "core/slabs.h"
 
 #include <array>
 #include <bit>
@@ -130,9 +131,7 @@ bool FlatCaster::cross(const Ray& ray, Crossed& crossed) const {
         crossed.enter.fill(Lanes{});
         return true;
     }
-    // Finite, as 0 times infinity is nothing: the padding keeps what is in a box off its bounds.
-    const auto inverse = [](double d) { return std::max(std::min(1 / d, 0x1p1000), -0x1p1000); };
-    const V3d inverted(inverse(ray.d.x), inverse(ray.d.y), inverse(ray.d.z));
+    const V3d inverted = slabInverse(ray.d);
     const V3Lanes origin(ray.o), perLength(inverted);
     const V3Lanes perSize(V3d(std::abs(inverted.x), std::abs(inverted.y), std::abs(inverted.z)));
     const Lanes end = allLanes(ray.tMax);

@@ -37,6 +37,12 @@ std::vector<Photon> joined(PhotonBlocks blocks) {
 
 } // namespace
 
+struct PhotonMappingIntegrator::Pass {
+    std::uint64_t index;
+    SampledWavelengths lambda;
+    float sharedFactor; ///< of all disks, by the shared rule
+};
+
 /// An eye path and what it found.
 struct PhotonMappingIntegrator::EyeSample {
     V2i pixel;
@@ -96,7 +102,7 @@ void PhotonMappingIntegrator::prepare(const World& world, const Film& film) {
     for (int i = 0; i < across * across; ++i) {
         const V2i pixel(settings.cropMin.x + int(std::int64_t(i % across) * radiiSize_.x / across),
                         settings.cropMin.y + int(std::int64_t(i / across) * radiiSize_.y / across));
-        traceEyePaths(world, 0, passWavelengths(0, sampler_.seed), film, pixel, pixel + V2i(1, 1), pilot);
+        traceEyePaths(world, makePass(0), film, pixel, pixel + V2i(1, 1), pilot);
     }
     std::vector<float> radii;
     for (const GatherPoint& point : pilot.points)
@@ -110,7 +116,7 @@ void PhotonMappingIntegrator::prepare(const World& world, const Film& film) {
     typicalRadius_ = *middle;
 }
 
-std::unique_ptr<PhotonLookup> PhotonMappingIntegrator::makeLookup(PhotonBlocks photons, float radiusFactor) {
+std::unique_ptr<PhotonLookup> PhotonMappingIntegrator::makeLookup(PhotonBlocks photons, float sharedFactor) {
     switch (settings_.search) {
     case PhotonSearch::Naive:
         return std::make_unique<NaiveLookup>(joined(std::move(photons)));
@@ -119,19 +125,23 @@ std::unique_ptr<PhotonLookup> PhotonMappingIntegrator::makeLookup(PhotonBlocks p
     case PhotonSearch::Grid:
         break;
     }
-    return std::make_unique<PhotonGrid>(std::move(photons), rowRadii * typicalRadius_ * radiusFactor);
+    return std::make_unique<PhotonGrid>(std::move(photons), rowRadii * typicalRadius_ * sharedFactor);
 }
 
-void PhotonMappingIntegrator::traceEyePaths(const World& world, std::uint64_t pass, const SampledWavelengths& lambda,
-                                            const Film& film, const V2i& first, const V2i& last,
-                                            Gathering& gathering) const {
+PhotonMappingIntegrator::Pass PhotonMappingIntegrator::makePass(std::uint64_t index) const {
+    return {index, passWavelengths(index, sampler_.seed), sharedRadiusFactor(index, settings_.alpha)};
+}
+
+void PhotonMappingIntegrator::traceEyePaths(const World& world, const Pass& pass, const Film& film, const V2i& first,
+                                            const V2i& last, Gathering& gathering) const {
     const int perPixel = settings_.eyePathsPerPixel;
     for (int y = first.y; y < last.y; ++y)
         for (int x = first.x; x < last.x; ++x)
             for (int k = 0; k < perPixel; ++k) {
                 // The same numbers in every pass make the same eye paths, seen at the pass's wavelengths.
-                const std::uint64_t sample =
-                    settings_.fixedEyePaths ? std::uint64_t(k) : pass * std::uint64_t(perPixel) + std::uint64_t(k);
+                const std::uint64_t sample = settings_.fixedEyePaths
+                                                 ? std::uint64_t(k)
+                                                 : pass.index * std::uint64_t(perPixel) + std::uint64_t(k);
                 SampleStream stream(sampler_, V2i(x, y), sample);
                 const PixelSample in = samplePixel(film.filter(), V2i(x, y), stream);
                 const std::size_t pixelIndex =
@@ -139,7 +149,7 @@ void PhotonMappingIntegrator::traceEyePaths(const World& world, std::uint64_t pa
                 const std::uint64_t mixed = streamKey(x, y, k);
                 EyeSample eye{V2i(x, y),
                               pixelIndex * std::size_t(perPixel) + std::size_t(k),
-                              heroOf(mixed, pass),
+                              heroOf(mixed, pass.index),
                               in.weight,
                               0,
                               SampledSpectrum(0.f),
@@ -147,8 +157,8 @@ void PhotonMappingIntegrator::traceEyePaths(const World& world, std::uint64_t pa
                 if (const auto camera = world.camera->generate(in.camera)) {
                     eye.cameraWeight = camera->weight;
                     const auto footprint = PixelFootprint::of(*world.camera, in.camera, camera->ray);
-                    eye.light = eyePaths_->trace(camera->ray, footprint, lambda.rotated(eye.hero), eye.hero, stream,
-                                                 gathering.points, gathering.lostExits);
+                    eye.light = eyePaths_->trace(camera->ray, footprint, pass.lambda.rotated(eye.hero), eye.hero,
+                                                 stream, gathering.points, gathering.lostExits);
                 }
                 eye.pointsEnd = gathering.points.size();
                 gathering.samples.push_back(eye);
@@ -167,14 +177,14 @@ void PhotonMappingIntegrator::makeDisks(Gathering& g, float sharedFactor) const 
 }
 
 void PhotonMappingIntegrator::gather(const World& world, Gathering& g, const PhotonLookup& lookup,
-                                     const NearPhotons& found, std::size_t firstDisk, std::uint64_t pass,
+                                     const NearPhotons& found, std::size_t firstDisk, const Pass& pass,
                                      RenderCounters& counters) {
     const Gatherer gatherer{settings_.kernel, photonsPerPass_, settings_.eye.maxDepth};
     std::size_t at = 0;
     std::uint64_t pairs = 0;
     for (EyeSample& eye : g.samples) {
         std::uint32_t ofPath = 0;
-        RandomStream random(sampler_.seed, 0x676174686572ull, pass, eye.pathIndex);
+        RandomStream random(sampler_.seed, 0x676174686572ull, pass.index, eye.pathIndex);
         for (; at < eye.pointsEnd; ++at) {
             const auto near = found.of(firstDisk + at);
             const float u = random.uniform();
@@ -198,55 +208,52 @@ void PhotonMappingIntegrator::gather(const World& world, Gathering& g, const Pho
     counters.lostExits.fetch_add(g.lostExits, std::memory_order_relaxed);
 }
 
-void PhotonMappingIntegrator::addToFilm(const Gathering& gathering, const SampledWavelengths& lambda,
-                                        std::uint64_t pass, Film& film) const {
+void PhotonMappingIntegrator::addToFilm(const Gathering& gathering, const Pass& pass, Film& film) const {
     for (const EyeSample& eye : gathering.samples)
-        film.add(eye.pixel, rotatedBack(eye.light, eye.hero) * eye.cameraWeight, lambda, eye.filterWeight,
-                 unsigned(pass & 1));
+        film.add(eye.pixel, rotatedBack(eye.light, eye.hero) * eye.cameraWeight, pass.lambda, eye.filterWeight,
+                 unsigned(pass.index & 1));
 }
 
-void PhotonMappingIntegrator::addPass(const World& world, std::uint64_t pass, Film& film, RenderCounters& counters) {
-    const SampledWavelengths lambda = passWavelengths(pass, sampler_.seed);
-    film.addPassWavelengths(lambda);
+void PhotonMappingIntegrator::addPass(const World& world, const Pass& pass, Film& film, RenderCounters& counters) {
+    film.addPassWavelengths(pass.lambda);
 
     const auto start = Clock::now();
-    PhotonPass photons = photonTracer_->trace(pass, lambda);
+    PhotonPass photons = photonTracer_->trace(pass.index, pass.lambda);
     const auto traced = Clock::now();
     counters.photonPaths.fetch_add(photonsPerPass_, std::memory_order_relaxed);
     counters.landedPaths.fetch_add(photons.landedPaths, std::memory_order_relaxed);
     counters.photons.fetch_add(photons.photons, std::memory_order_relaxed);
     counters.lostExits.fetch_add(photons.lostExits, std::memory_order_relaxed);
-    const auto lookup = makeLookup(std::move(photons.blocks), sharedRadiusFactor(pass, settings_.alpha));
+    const auto lookup = makeLookup(std::move(photons.blocks), pass.sharedFactor);
     counters.photonNanoseconds.fetch_add(nanoseconds(start, traced), std::memory_order_relaxed);
     counters.sortNanoseconds.fetch_add(nanoseconds(traced, Clock::now()), std::memory_order_relaxed);
     counters.photonBytes = std::max(counters.photonBytes.load(), std::uint64_t(lookup->memoryBytes()));
 
     if (settings_.search == PhotonSearch::Tree)
-        gatherAtOnce(world, *lookup, pass, lambda, film, counters);
+        gatherAtOnce(world, *lookup, pass, film, counters);
     else
-        gatherInTiles(world, *lookup, pass, lambda, film, counters);
+        gatherInTiles(world, *lookup, pass, film, counters);
 }
 
-void PhotonMappingIntegrator::gatherInTiles(const World& world, const PhotonLookup& lookup, std::uint64_t pass,
-                                            const SampledWavelengths& lambda, Film& film, RenderCounters& counters) {
+void PhotonMappingIntegrator::gatherInTiles(const World& world, const PhotonLookup& lookup, const Pass& pass,
+                                            Film& film, RenderCounters& counters) {
     struct Buffers { // nothing is carried from tile to tile
         Gathering gathering;
         NearPhotons near;
     };
     tbb::enumerable_thread_specific<Buffers> buffers;
-    const float sharedFactor = sharedRadiusFactor(pass, settings_.alpha);
     std::atomic<std::uint64_t> tracing{0}, gathering{0}; // ns of all threads
     const auto begin = Clock::now();
     forEachTile(film.settings().cropMin, film.settings().cropMax, [&](const V2i& first, const V2i& last) {
         auto& [tile, near] = buffers.local();
         const auto start = Clock::now();
         tile.clear();
-        traceEyePaths(world, pass, lambda, film, first, last, tile);
+        traceEyePaths(world, pass, film, first, last, tile);
         const auto traced = Clock::now();
-        makeDisks(tile, sharedFactor);
+        makeDisks(tile, pass.sharedFactor);
         lookup.find(tile.disks, near);
         gather(world, tile, lookup, near, 0, pass, counters);
-        addToFilm(tile, lambda, pass, film);
+        addToFilm(tile, pass, film);
         tracing.fetch_add(nanoseconds(start, traced), std::memory_order_relaxed);
         gathering.fetch_add(nanoseconds(traced, Clock::now()), std::memory_order_relaxed);
     });
@@ -257,19 +264,17 @@ void PhotonMappingIntegrator::gatherInTiles(const World& world, const PhotonLook
 }
 
 /// The tree holds the points of the whole picture, which stay from pass to pass.
-void PhotonMappingIntegrator::gatherAtOnce(const World& world, const PhotonLookup& lookup, std::uint64_t pass,
-                                           const SampledWavelengths& lambda, Film& film, RenderCounters& counters) {
+void PhotonMappingIntegrator::gatherAtOnce(const World& world, const PhotonLookup& lookup, const Pass& pass, Film& film,
+                                           RenderCounters& counters) {
     constexpr int stripRows = 4;
     const V2i min = film.settings().cropMin, max = film.settings().cropMax;
     std::vector<Gathering> strips(std::size_t(max.y - min.y + stripRows - 1) / stripRows);
-    const float sharedFactor = sharedRadiusFactor(pass, settings_.alpha);
     const auto start = Clock::now();
     tbb::parallel_for(std::size_t(0), strips.size(), [&](std::size_t strip) {
         const PlainArithmetic plain;
         const int y = min.y + int(strip) * stripRows;
-        traceEyePaths(world, pass, lambda, film, V2i(min.x, y), V2i(max.x, std::min(y + stripRows, max.y)),
-                      strips[strip]);
-        makeDisks(strips[strip], sharedFactor);
+        traceEyePaths(world, pass, film, V2i(min.x, y), V2i(max.x, std::min(y + stripRows, max.y)), strips[strip]);
+        makeDisks(strips[strip], pass.sharedFactor);
     });
     const auto traced = Clock::now();
     std::vector<std::size_t> firstDisks;
@@ -283,7 +288,7 @@ void PhotonMappingIntegrator::gatherAtOnce(const World& world, const PhotonLooku
     tbb::parallel_for(std::size_t(0), strips.size(), [&](std::size_t strip) {
         const PlainArithmetic plain;
         gather(world, strips[strip], lookup, near, firstDisks[strip], pass, counters);
-        addToFilm(strips[strip], lambda, pass, film);
+        addToFilm(strips[strip], pass, film);
     });
     counters.eyeNanoseconds.fetch_add(nanoseconds(start, traced), std::memory_order_relaxed);
     counters.gatherNanoseconds.fetch_add(nanoseconds(traced, Clock::now()), std::memory_order_relaxed);
@@ -292,7 +297,7 @@ void PhotonMappingIntegrator::gatherAtOnce(const World& world, const PhotonLooku
 void PhotonMappingIntegrator::addPasses(const World& world, PassRange passes, Film& film, RenderCounters& counters) {
     if (!photonTracer_) prepare(world, film);
     for (std::uint64_t pass = passes.begin; pass < passes.end; ++pass)
-        addPass(world, pass, film, counters);
+        addPass(world, makePass(pass), film, counters);
 }
 
 std::vector<std::byte> PhotonMappingIntegrator::saveState() const {

@@ -59,22 +59,24 @@ class PhotonMappingIntegrator final : public Integrator {
     void restoreState(std::span<const std::byte> state) override;
 
   private:
+    struct Pass;
     struct EyeSample;
     struct Gathering;
-    void addPass(const World& world, std::uint64_t pass, Film& film, RenderCounters& counters);
+    void addPass(const World& world, const Pass& pass, Film& film, RenderCounters& counters);
     void prepare(const World& world, const Film& film);
-    std::unique_ptr<PhotonLookup> makeLookup(PhotonBlocks photons, float radiusFactor);
-    void traceEyePaths(const World& world, std::uint64_t pass, const SampledWavelengths& lambda, const Film& film,
-                       const V2i& first, const V2i& last, Gathering& gathering) const;
+    std::unique_ptr<PhotonLookup> makeLookup(PhotonBlocks photons, float sharedFactor);
+    void traceEyePaths(const World& world, const Pass& pass, const Film& film, const V2i& first, const V2i& last,
+                       Gathering& gathering) const;
     void makeDisks(Gathering& gathering, float sharedFactor) const;
     /// Adds what photons bring to the gathering's samples. \param firstDisk of the gathering's among those of `found`
     void gather(const World& world, Gathering& gathering, const PhotonLookup& lookup, const NearPhotons& found,
-                std::size_t firstDisk, std::uint64_t pass, RenderCounters& counters);
-    void gatherInTiles(const World& world, const PhotonLookup& lookup, std::uint64_t pass,
-                       const SampledWavelengths& lambda, Film& film, RenderCounters& counters);
-    void gatherAtOnce(const World& world, const PhotonLookup& lookup, std::uint64_t pass,
-                      const SampledWavelengths& lambda, Film& film, RenderCounters& counters);
-    void addToFilm(const Gathering& gathering, const SampledWavelengths& lambda, std::uint64_t pass, Film& film) const;
+                std::size_t firstDisk, const Pass& pass, RenderCounters& counters);
+    void gatherInTiles(const World& world, const PhotonLookup& lookup, const Pass& pass, Film& film,
+                       RenderCounters& counters);
+    void gatherAtOnce(const World& world, const PhotonLookup& lookup, const Pass& pass, Film& film,
+                      RenderCounters& counters);
+    void addToFilm(const Gathering& gathering, const Pass& pass, Film& film) const;
+    Pass makePass(std::uint64_t index) const;
 
     PhotonMappingSettings settings_;
     SamplerSettings sampler_;

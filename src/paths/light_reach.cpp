@@ -1,5 +1,7 @@
 #include "paths/light_reach.h"
 
+#include "core/slabs.h"
+
 namespace vitrine {
 
 namespace {
@@ -27,9 +29,7 @@ LightReach::LightReach(const World& world) : everywhere_(!world.infiniteLights.e
 /// The slabs of Kay & Kajiya 1986.
 bool LightReach::mayMeet(const Ray& ray) const {
     if (everywhere_) return true;
-    // Finite, as 0 times infinity is nothing: the padding keeps what is in a box off its bounds.
-    const auto inverse = [](double d) { return std::clamp(1 / d, -0x1p1000, 0x1p1000); };
-    const V3d perLength(inverse(ray.d.x), inverse(ray.d.y), inverse(ray.d.z));
+    const V3d perLength = slabInverse(ray.d);
     for (const Box3d& box : boxes_) {
         const V3d a = (box.min - ray.o) * perLength, b = (box.max - ray.o) * perLength;
         const double enter = std::max({0., std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)});
