@@ -64,6 +64,12 @@ class HitCollector {
         return found_ = true;
     }
 
+    /// Whether a ray that is not nearly horizontal has what it needs before it comes to this height, rounding of both
+    /// included: of a touch's two crossings the later one in the part may be the nearer by a rounding.
+    bool needsNothingFrom(double y) const {
+        return wantsOne() && (y - ray_.oy) * ray_.inverseV > lengthMax_ + margin_ * std::abs(ray_.inverseV);
+    }
+
     const AxialRay& ray() const { return ray_; }
     double lengthMin() const { return lengthMin_; }
     double lengthMax() const { return lengthMax_; }

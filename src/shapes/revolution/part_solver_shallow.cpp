@@ -94,8 +94,9 @@ void PartSolver::solveShallow(HitCollector& hits) const {
         const Bracket whole{ta, tb, branch.isNegative(x[0], p[0])};
         return isolateShallow(branch, x, p, whole, branch.isNegative(x[points_ - 1], p[points_ - 1]), maxDepth, hits);
     };
-    if (closest + slack >= hits.lengthMin() * ray.h && solveBranch(-ray.v, false) && hits.wantsOne()) return;
-    if (closest - slack <= hits.lengthMax() * ray.h) solveBranch(ray.v, true);
+    if (closest + slack >= hits.lengthMin() * ray.h && solveBranch(-ray.v, false) && hits.done()) return;
+    // A length that comes from a height errs by 1 / v of it: the forward root may be the nearer by a rounding.
+    if (closest - slack / std::max(std::abs(ray.v), 1e-7) <= hits.lengthMax() * ray.h) solveBranch(ray.v, true);
 }
 
 /// Cuts away what is nearer to the axis than the ray ever comes. At the cut both branches have the same value, so that

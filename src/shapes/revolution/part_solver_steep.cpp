@@ -127,8 +127,7 @@ PartSolver::Dip PartSolver::findDip(const Quadratic& f) const {
     return atVertex.isCrossed || !(dip.t > 0) || std::abs(atVertex.at.f) < std::abs(dip.at.f) ? atVertex : dip;
 }
 
-/// As it runs up or down a part, a steep ray meets what it meets in order: after a hit that is the first so far, all
-/// others of the part come later.
+/// As it runs up or down a part, a steep ray meets what it meets in order.
 void PartSolver::solveSeveral(const Quadratic& f, int variations, HitCollector& hits) const {
     const bool negative = f.f0 < 0, inOrder = isInOrder(f.ray);
     double t = f.vertex();
@@ -136,11 +135,12 @@ void PartSolver::solveSeveral(const Quadratic& f, int variations, HitCollector& 
         const Dip dip = findDip(f);
         if (dip.isCrossed) {
             const auto solveHalf = [&](bool first) {
-                if (hits.settles(first ? y0_ : dip.y, first ? dip.y : y1_)) return true;
+                if (hits.settles(first ? y0_ : dip.y, first ? dip.y : y1_)) return;
                 const double guess = dip.at.f != 0 ? dip.guess(first) : f.guess(negative == first);
-                return offerRoot(f, first ? Bracket{0, dip.t, negative} : Bracket{dip.t, 1, !negative}, guess, hits);
+                offerRoot(f, first ? Bracket{0, dip.t, negative} : Bracket{dip.t, 1, !negative}, guess, hits);
             };
-            if (!(solveHalf(inOrder) && hits.wantsOne())) solveHalf(!inOrder);
+            solveHalf(inOrder);
+            if (!hits.done() && !hits.needsNothingFrom(dip.y)) solveHalf(!inOrder);
             return;
         }
         if (dip.vertex() > 0 && dip.vertex() < 1) t = dip.vertex();
@@ -192,7 +192,8 @@ bool PartSolver::isolateSteep(const Quadratic& f, double* c, double ta, double t
     }
     if (certain) {
         if (variations % 2 == 0) return false;
-        return offerRoot(f, {ta, tb, c[0] < 0}, f.guess(c[0] < 0), hits) && hits.wantsOne();
+        offerRoot(f, {ta, tb, c[0] < 0}, f.guess(c[0] < 0), hits);
+        return hits.done() || hits.needsNothingFrom(curve_.at(isInOrder(f.ray) ? tb : ta).y);
     }
     double left[maxCoefficients];
     bernstein::halve(c, left, coefficients_);

@@ -289,6 +289,26 @@ TEST(Revolution, RaysThroughAPoleMissNothingBesideIt) {
     expectCrossings(make(profile), o, d, {1.0876519564699549, 1.3519950711369522}); // by exact integers
 }
 
+/// A touch whose two crossings are 40 roundings apart, the later one in the profile the nearer: stepping from hit to hit
+/// meets both.
+TEST(Revolution, OfATouchsTwoCrossingsTheNearerIsFirst) {
+    const Revolution goblet = make(joined(gobletProfile()), 3);
+    const Ray ray{{-2.1904671606002726, 1.1606747273901137, -2.2759817068699171},
+                  {0.59875316245398003, 0.012512714677923503, 0.80083586484544178}};
+    const std::vector<double> all = crossings(goblet, ray.o, ray.d);
+    ASSERT_EQ(all.size(), 2u);
+    ASSERT_LT(all[0], all[1]);
+    std::vector<double> met;
+    for (double s = -infinityD; s < infinityD;) {
+        PrimitiveHit best, hit;
+        for (unsigned prim = 0; prim < goblet.primitiveCount(); ++prim)
+            if (goblet.intersect(prim, ray, s, best.s, hit)) best = hit;
+        s = best.s;
+        if (s < infinityD) met.push_back(s);
+    }
+    EXPECT_EQ(met, all);
+}
+
 TEST(Revolution, PiecesFarApartHaveBoxesOfTheirOwn) {
     const Revolution goblet = make(joined(gobletProfile()), 3);
     EXPECT_LT(goblet.memoryBytes(), 100000u);
