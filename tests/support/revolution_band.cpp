@@ -111,6 +111,7 @@ class Scene {
         // The profile may turn between the places and the tip: look along all of what is in the band.
         for (const Place& place : {a, b}) {
             const Stretch s = lengthened({place.u, place.u, place.forward});
+            if (distanceToTip((s.ua + s.ub) / 2) > band_ + fastest_ * (s.ub - s.ua) / 2) continue;
             constexpr int steps = 256;
             long double best = s.ua;
             for (int i = 1; i <= steps; ++i) {
