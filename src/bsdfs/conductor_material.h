@@ -12,6 +12,7 @@
 #pragma once
 
 #include "bsdfs/material.h"
+#include "bsdfs/parameter_checks.h"
 
 namespace vitrine {
 
@@ -19,20 +20,23 @@ class ConductorMaterial final : public Material {
   public:
     /// Copper's for what is null. In a medium other than air both are taken relative to its index.
     /// \throws std::invalid_argument for negative or non-finite values.
-    explicit ConductorMaterial(SpectrumPtr eta = nullptr, SpectrumPtr k = nullptr, float uroughness = 0,
-                               float vroughness = 0, bool remaproughness = true);
+    explicit ConductorMaterial(SpectrumInput eta = nullptr, SpectrumInput k = nullptr, FloatInput uroughness = 0,
+                               FloatInput vroughness = 0, bool remaproughness = true);
     /// A metal that reflects this at normal incidence, whatever it lies in: eta = 1, k = 2 sqrt(r / (1 - r)) (pbrt-v4).
-    static ConductorMaterial fromReflectance(SpectrumPtr reflectance, float uroughness = 0, float vroughness = 0,
-                                             bool remaproughness = true);
+    static ConductorMaterial fromReflectance(SpectrumInput reflectance, FloatInput uroughness = 0,
+                                             FloatInput vroughness = 0, bool remaproughness = true);
 
     Bsdf bsdf(const MaterialPoint& point, SampledWavelengths& lambda) const override;
+    bool filtersTextures() const override {
+        return eta_.isFiltered() || k_.isFiltered() || reflectance_.isFiltered() || facets_.isFiltered();
+    }
 
   private:
     struct ByReflectance {};
-    ConductorMaterial(ByReflectance, SpectrumPtr reflectance, const TrowbridgeReitz& facets);
+    ConductorMaterial(ByReflectance, SpectrumInput reflectance, Facets facets);
 
-    SpectrumPtr eta_, k_, reflectance_; ///< the first two, or the last
-    TrowbridgeReitz facets_;
+    SpectrumInput eta_, k_, reflectance_; ///< the first two, or the last
+    Facets facets_;
 };
 
 } // namespace vitrine

@@ -15,6 +15,7 @@
 #pragma once
 
 #include "bsdfs/material.h"
+#include "bsdfs/parameter_checks.h"
 
 namespace vitrine {
 
@@ -22,16 +23,17 @@ class DielectricMaterial final : public Material {
   public:
     /// A null eta is 1.5.
     /// \throws std::invalid_argument for negative or non-finite values, or an index that is 0.
-    explicit DielectricMaterial(Interior interior = {}, float uroughness = 0, float vroughness = 0,
+    explicit DielectricMaterial(Interior interior = {}, FloatInput uroughness = 0, FloatInput vroughness = 0,
                                 bool remaproughness = true);
 
     /// Of the index relative to what lies outside; without a priority what lies outside counts as air (as pbrt-v4).
     Bsdf bsdf(const MaterialPoint& point, SampledWavelengths& lambda) const override;
     const Interior* interior() const override { return &interior_; }
+    bool filtersTextures() const override { return facets_.isFiltered(); }
 
   private:
     Interior interior_;
-    TrowbridgeReitz facets_;
+    Facets facets_;
 };
 
 } // namespace vitrine

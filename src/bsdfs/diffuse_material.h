@@ -12,12 +12,13 @@ namespace vitrine {
 class DiffuseMaterial final : public Material {
   public:
     /// \throws std::invalid_argument when the reflectance is negative or not finite.
-    explicit DiffuseMaterial(SpectrumPtr reflectance = nullptr);
+    explicit DiffuseMaterial(SpectrumInput reflectance = nullptr);
 
     Bsdf bsdf(const MaterialPoint& point, SampledWavelengths& lambda) const override;
+    bool filtersTextures() const override { return reflectance_.isFiltered(); }
 
   private:
-    SpectrumPtr reflectance_;
+    SpectrumInput reflectance_;
 };
 
 } // namespace vitrine

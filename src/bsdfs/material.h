@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bsdfs/bsdf.h"
-#include "spectrum/spectrum.h"
+#include "textures/texture.h"
 
 #include <memory>
 #include <optional>
@@ -10,9 +10,7 @@
 namespace vitrine {
 
 /// Where a material is asked for its BSDF.
-struct MaterialPoint {
-    V3d p;
-    V2f uv;
+struct MaterialPoint : TexturePoint {
     /// Index of refraction, at the hero wavelength, of what lies on the outside of the surface.
     float etaOutside = 1;
 };
@@ -35,6 +33,8 @@ class Material {
     virtual const Interior* interior() const { return nullptr; }
     /// A surface that light passes as if it were not there (pbrt's "interface").
     virtual bool isInterface() const { return false; }
+    /// Whether it has a texture that asks for the pixel's footprint.
+    virtual bool filtersTextures() const { return false; }
 };
 
 using MaterialPtr = std::shared_ptr<const Material>;

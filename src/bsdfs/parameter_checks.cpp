@@ -19,8 +19,20 @@ float alpha(std::string_view name, float roughness, bool remap) {
 
 } // namespace
 
-TrowbridgeReitz facetsOf(float uroughness, float vroughness, bool remaproughness) {
-    return {alpha("uroughness", uroughness, remaproughness), alpha("vroughness", vroughness, remaproughness)};
+Facets::Facets(FloatInput uroughness, FloatInput vroughness, bool remaproughness)
+    : u_(std::move(uroughness)), v_(std::move(vroughness)), remap_(remaproughness),
+      isConstant_(u_.isConstant() && v_.isConstant()) {
+    const float u = alpha("uroughness", u_.constant(), remap_), v = alpha("vroughness", v_.constant(), remap_);
+    if (isConstant_) constant_ = {u, v};
+}
+
+TrowbridgeReitz Facets::evaluate(const TexturePoint& at) const {
+    const auto alphaAt = [&](const FloatInput& input) {
+        const float roughness = input(at);
+        if (!(roughness > 0) || !std::isfinite(roughness)) return 0.f;
+        return remap_ ? TrowbridgeReitz::alphaFromRoughness(roughness) : roughness;
+    };
+    return {alphaAt(u_), alphaAt(v_)};
 }
 
 SpectrumPtr checkedSpectrum(std::string_view name, SpectrumPtr spectrum, const SpectrumPtr& otherwise, float most) {
@@ -37,8 +49,12 @@ SpectrumPtr checkedSpectrum(std::string_view name, SpectrumPtr spectrum, const S
     return spectrum;
 }
 
-SpectrumPtr checkedMetalIndex(std::string_view name, SpectrumPtr spectrum) {
-    return checkedSpectrum(name, std::move(spectrum), nullptr, largestIndex);
+SpectrumInput checkedInput(std::string_view name, SpectrumInput input, const SpectrumPtr& otherwise, float most) {
+    return input.isConstant() ? checkedSpectrum(name, input.constant(), otherwise, most) : std::move(input);
+}
+
+SpectrumInput checkedMetalIndex(std::string_view name, SpectrumInput input) {
+    return checkedInput(name, std::move(input), nullptr, largestIndex);
 }
 
 SpectrumPtr checkedIndex(SpectrumPtr spectrum, const SpectrumPtr& otherwise) {

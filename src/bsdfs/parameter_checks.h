@@ -2,23 +2,41 @@
 #pragma once
 
 #include "bsdfs/microfacet.h"
-#include "spectrum/spectrum.h"
+#include "textures/texture.h"
 
 #include <string_view>
 
 namespace vitrine {
 
 /// The facets of a material's uroughness, vroughness and remaproughness.
-/// \throws std::invalid_argument unless both are finite and not negative.
-TrowbridgeReitz facetsOf(float uroughness, float vroughness, bool remaproughness);
+class Facets {
+  public:
+    /// Of textures what is negative or not finite counts as 0.
+    /// \throws std::invalid_argument unless constants are finite and not negative.
+    Facets(FloatInput uroughness, FloatInput vroughness, bool remaproughness);
+
+    TrowbridgeReitz operator()(const TexturePoint& at) const { return isConstant_ ? constant_ : evaluate(at); }
+    bool isFiltered() const { return u_.isFiltered() || v_.isFiltered(); }
+
+  private:
+    TrowbridgeReitz evaluate(const TexturePoint& at) const;
+
+    FloatInput u_, v_;
+    bool remap_, isConstant_;
+    TrowbridgeReitz constant_;
+};
 
 /// `spectrum`, or `otherwise` when it is null. `name` is the parameter's.
 /// \throws std::invalid_argument when it is negative, not finite or above `most` somewhere in the visible range.
 SpectrumPtr checkedSpectrum(std::string_view name, SpectrumPtr spectrum, const SpectrumPtr& otherwise = nullptr,
                             float most = infinity);
 
-/// As checkedSpectrum, for "eta" and "k" of a metal: what is absurdly large is refused.
-SpectrumPtr checkedMetalIndex(std::string_view name, SpectrumPtr spectrum);
+/// As checkedSpectrum, where a texture may stand: what that gives is bounded where it is used.
+SpectrumInput checkedInput(std::string_view name, SpectrumInput input, const SpectrumPtr& otherwise = nullptr,
+                           float most = infinity);
+
+/// As checkedInput, for "eta" and "k" of a metal: what is absurdly large is refused.
+SpectrumInput checkedMetalIndex(std::string_view name, SpectrumInput input);
 
 /// As checkedSpectrum; an index of refraction must also be positive somewhere, and there neither absurdly large nor small.
 SpectrumPtr checkedIndex(SpectrumPtr spectrum, const SpectrumPtr& otherwise);

@@ -26,9 +26,10 @@ class WavelengthRotation {
 
 } // namespace
 
-SampledSpectrum PathIntegrator::radiance(const World& world, const Ray& ray, const SampledWavelengths& lambda,
-                                         SampleStream& stream, std::uint64_t& lostExits) const {
-    Walk walk = eyeWalk(world, ray, lambda);
+SampledSpectrum PathIntegrator::radiance(const World& world, const Ray& ray, const PixelFootprint& footprint,
+                                         const SampledWavelengths& lambda, SampleStream& stream,
+                                         std::uint64_t& lostExits) const {
+    Walk walk = eyeWalk(world, ray, lambda, footprint);
     const SampledSpectrum result = follow(world, walk, stream);
     lostExits += std::uint64_t(walk.lostExits());
     return result;
@@ -90,8 +91,12 @@ void PathIntegrator::addPasses(const World& world, PassRange passes, Film& film,
             const PixelSample at = samplePixel(film.filter(), pixel, stream);
             const SampledWavelengths lambda = SampledWavelengths::picture(wavelengths.at(pass));
             SampledSpectrum radianceIn(0.f);
-            if (const auto camera = world.camera->generate(at.camera))
-                radianceIn = radiance(world, camera->ray, lambda, stream, lostExits) * camera->weight;
+            if (const auto camera = world.camera->generate(at.camera)) {
+                const PixelFootprint footprint = world.filtersTextures
+                                                     ? PixelFootprint::of(*world.camera, at.camera, camera->ray)
+                                                     : PixelFootprint();
+                radianceIn = radiance(world, camera->ray, footprint, lambda, stream, lostExits) * camera->weight;
+            }
             film.add(pixel, radianceIn, lambda, at.weight, unsigned(pass & 1));
         }
         if (lostExits > 0) counters.lostExits.fetch_add(lostExits, std::memory_order_relaxed);

@@ -32,8 +32,8 @@ class PathIntegrator final : public Integrator {
     /// Radiance that arrives along `ray` (unit direction), as one sample. Values in secondary wavelengths stay valid
     /// with `lambda` as given, also when the path ended them on its way.
     /// \param lostExits raised by Walk::lostExits()
-    SampledSpectrum radiance(const World& world, const Ray& ray, const SampledWavelengths& lambda, SampleStream& stream,
-                             std::uint64_t& lostExits) const;
+    SampledSpectrum radiance(const World& world, const Ray& ray, const PixelFootprint& footprint,
+                             const SampledWavelengths& lambda, SampleStream& stream, std::uint64_t& lostExits) const;
 
   private:
     SampledSpectrum follow(const World& world, Walk& walk, SampleStream& stream) const;

@@ -1,18 +1,24 @@
 #include "paths/walk.h"
 
+#include "textures/footprint.h"
+
 namespace vitrine {
 
 namespace {
 
 /// A path that passes this many surfaces without scattering is caught in coincident ones.
 constexpr int maxPasses = 10000;
+/// Textures are filtered over this part of a pixel's side: the picture's own filter does the rest with many samples. A
+/// constant, as what a pass shows must not depend on how many there are.
+constexpr double filteredShare = 0.25;
 
 } // namespace
 
-Walk eyeWalk(const World& world, const Ray& ray, const SampledWavelengths& lambda) {
+Walk eyeWalk(const World& world, const Ray& ray, const SampledWavelengths& lambda, const PixelFootprint& footprint) {
     Walk walk(world, TransportMode::Radiance, lambda,
               world.raysStartApart ? interiorAt(world, ray.o) : world.cameraInterior);
     walk.ray = ray;
+    walk.footprint = footprint;
     return walk;
 }
 
@@ -45,6 +51,7 @@ bool Walk::advance(Vertex& vertex) {
             if (const Interior* solid = interior_.current()) lostExits_ += solid->priority.has_value();
             return false;
         }
+        distance_ += vertex.hit.s;
         const SurfacePoint& point = vertex.hit.point;
         vertex.surface = &world_.surfaces[vertex.hit.id];
         vertex.wo = -toFloat(ray.d);
@@ -65,11 +72,20 @@ bool Walk::advance(Vertex& vertex) {
     return false;
 }
 
+TexturePoint Walk::texturePoint(const Vertex& vertex) const {
+    const SurfacePoint& point = vertex.point();
+    TexturePoint at;
+    at.p = point.p;
+    at.ns = point.ns;
+    at.uv = point.uv;
+    if (vertex.surface->filtersTextures())
+        if (const double side = pixelSide(); side > 0) spreadOver(point, vertex.wo, float(side * filteredShare), at);
+    return at;
+}
+
 Bsdf Walk::bsdfAt(const Vertex& vertex) {
     const bool wasWhole = !lambda_.secondaryTerminated();
-    MaterialPoint at;
-    at.p = vertex.point().p;
-    at.uv = vertex.point().uv;
+    MaterialPoint at{texturePoint(vertex)};
     if (const Interior* outside = vertex.crossing.outside; outside && outside->priority) {
         at.etaOutside = (*outside->eta)(lambda_.hero());
         // A conductor or a diffuse surface does not bend light: only a dielectric's angle depends on wavelength.

@@ -1,6 +1,7 @@
 // One random walk for eye and light: from surface to surface, through solids, in either transport mode.
 #pragma once
 
+#include "cameras/pixel_footprint.h"
 #include "core/frame.h"
 #include "core/sampler.h"
 #include "paths/world.h"
@@ -38,7 +39,12 @@ class Walk {
     SampledSpectrum beta{1.f}; ///< throughput; after dispersion the hero's, times the number of wavelengths
     float etaScale = 1;        ///< product of eta^2 over refractions: what radiance lost to compression (for roulette)
 
+    /// Of a path that begins at the camera: what a pixel sees, for filtering textures and for the size of gathering disks.
+    PixelFootprint footprint;
+
     const SampledWavelengths& lambda() const { return lambda_; }
+    /// Side of what a pixel sees at the last surface met (world units); 0 without a footprint.
+    double pixelSide() const { return footprint.at(distance_); }
     const InteriorStack& interior() const { return interior_; }
     /// Solids with a priority that were left without having been entered (InteriorStack::Crossing::isLost), or that the path
     /// escaped in.
@@ -58,15 +64,19 @@ class Walk {
     std::optional<Scattered> scatter(const Vertex& vertex, const Bsdf& bsdf, float uc, const V2f& u);
 
   private:
+    TexturePoint texturePoint(const Vertex& vertex) const;
+
     const World& world_;
     TransportMode mode_;
     SampledWavelengths lambda_;
     InteriorStack interior_;
     int lostExits_ = 0;
+    double distance_ = 0; ///< along the path
 };
 
 /// A walk in radiance mode along a ray of the camera, in the solids that the ray starts in.
-Walk eyeWalk(const World& world, const Ray& ray, const SampledWavelengths& lambda);
+Walk eyeWalk(const World& world, const Ray& ray, const SampledWavelengths& lambda,
+             const PixelFootprint& footprint = {});
 
 /// Veach 1997, eq. 5.19: what importance is to be multiplied by where shading and geometric normal differ.
 float shadingNormalCorrection(const SurfacePoint& point, const V3f& wo, const V3f& wi);

@@ -9,6 +9,7 @@ void World::prepare() {
 
     bool hasInteriors = false;
     for (const Surface& surface : surfaces) {
+        filtersTextures |= surface.filtersTextures();
         const Interior* interior = surface.interior();
         if (!interior) continue;
         hasInteriors = true;

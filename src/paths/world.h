@@ -16,17 +16,20 @@ struct Surface {
 
     explicit Surface(MaterialPtr made, const AreaLight* shines = nullptr)
         : material(std::move(made)), light(shines), interior_(material ? material->interior() : nullptr),
-          isInterface_(!material || material->isInterface()) {}
+          isInterface_(!material || material->isInterface()),
+          filtersTextures_(material && material->filtersTextures()) {}
 
     /// Not null for a surface that bounds a dielectric solid.
     const Interior* interior() const { return interior_; }
     /// Light passes as if it were not there.
     bool isInterface() const { return isInterface_; }
+    /// It has a texture that asks for the pixel's footprint.
+    bool filtersTextures() const { return filtersTextures_; }
 
   private:
     // Asked at every vertex: a copy is nearer than a virtual function.
     const Interior* interior_;
-    bool isInterface_;
+    bool isInterface_, filtersTextures_;
 };
 
 /// Everything that integrators read. Immutable once prepared; shared by all threads.
@@ -43,6 +46,8 @@ struct World {
     bool hasNestedDielectrics = false;
     /// Whether any solid absorbs: then shadow rays inside solids are attenuated.
     bool hasAbsorption = false;
+    /// Whether any surface filters a texture: then paths need their pixel's footprint.
+    bool filtersTextures = false;
     /// Camera rays start far apart, so that each may start in other solids: they are looked for ray by ray.
     bool raysStartApart = false;
 

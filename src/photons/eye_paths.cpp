@@ -17,10 +17,8 @@ constexpr double leastRadius = 1e-6, largestRadius = 0.05;
 
 struct EyePaths::Path {
     Walk walk;
-    PixelFootprint footprint;
     int hero;
     std::uint32_t firstDimension;
-    double distance = 0; ///< along the path
     int depth = 0;       ///< scattering events so far
     int forks = 0;
     float branch = 1; ///< share of the light that this branch carries
@@ -36,18 +34,9 @@ EyePaths::EyePaths(const World& world, const EyePathSettings& settings)
         hasHiddenLight_ |= light->isDelta();
 }
 
-PixelFootprint PixelFootprint::of(const Camera& camera, const CameraSample& sample, const Ray& ray) {
-    // Where the picture ends the pixel on the other side serves.
-    for (const double step : {1., -1.}) {
-        const auto beside = camera.generate({sample.raster + V2d(step, 0), sample.lens});
-        if (beside) return {(beside->ray.o - ray.o).length(), (beside->ray.d - ray.d).length()};
-    }
-    return {};
-}
-
-float EyePaths::baseRadius(const PixelFootprint& footprint, double distance) const {
+float EyePaths::baseRadius(double pixelSide) const {
     if (settings_.radius > 0) return settings_.radius;
-    const double radius = settings_.radiusInPixels * (footprint.offset + footprint.spread * distance);
+    const double radius = settings_.radiusInPixels * pixelSide;
     const double scene = space_.sceneRadius();
     return float(scene > 0 ? std::clamp(radius, leastRadius * scene, largestRadius * scene) : radius);
 }
@@ -55,7 +44,7 @@ float EyePaths::baseRadius(const PixelFootprint& footprint, double distance) con
 void EyePaths::gather(const Path& path, const Vertex& vertex, const Bsdf& bsdf, LightHistory from,
                       std::vector<GatherPoint>& points) const {
     const SurfacePoint& at = vertex.point();
-    points.push_back({{space_.fromWorld(at.p), at.ng, baseRadius(path.footprint, path.distance)},
+    points.push_back({{space_.fromWorld(at.p), at.ng, baseRadius(path.walk.pixelSide())},
                       vertex.frame,
                       vertex.wo,
                       bsdf,
@@ -75,7 +64,7 @@ SampledSpectrum EyePaths::trace(const Ray& ray, const PixelFootprint& footprint,
                                 int hero, SampleStream& stream, std::vector<GatherPoint>& points,
                                 std::uint64_t& lostExits) const {
     SampledSpectrum light(0.f);
-    follow(Path{eyeWalk(world_, ray, lambda), footprint, hero, stream.dimension()}, stream, points, light, lostExits);
+    follow(Path{eyeWalk(world_, ray, lambda, footprint), hero, stream.dimension()}, stream, points, light, lostExits);
     return light;
 }
 
@@ -90,7 +79,6 @@ void EyePaths::follow(Path path, SampleStream& stream, std::vector<GatherPoint>&
             if (counts) light += walk.beta * escapedLight(world_, walk, path.last);
             break;
         }
-        path.distance += vertex.hit.s;
         if (counts) light += walk.beta * emittedLight(world_, walk, vertex, path.last);
         if (!vertex.scatters) {
             walk.passThrough(vertex);

@@ -18,14 +18,6 @@ struct EyePathSettings {
     float radiusInPixels = 2, radius = 0;
 };
 
-/// The size of a pixel along its path: side = offset + spread * distance.
-struct PixelFootprint {
-    double offset = 0, spread = 0;
-
-    /// Of the ray that `camera` made of `sample`, by that of the pixel beside.
-    static PixelFootprint of(const Camera& camera, const CameraSample& sample, const Ray& ray);
-};
-
 class EyePaths {
   public:
     EyePaths(const World& world, const EyePathSettings& settings);
@@ -46,7 +38,7 @@ class EyePaths {
     bool forks(const Path& path, const Bsdf& bsdf) const;
     void gather(const Path& path, const Vertex& vertex, const Bsdf& bsdf, LightHistory from,
                 std::vector<GatherPoint>& points) const;
-    float baseRadius(const PixelFootprint& footprint, double distance) const;
+    float baseRadius(double pixelSide) const;
 
     const World& world_;
     LightReach lightReach_;

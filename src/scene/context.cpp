@@ -64,11 +64,6 @@ SpectrumPtr BuildContext::namedOrFile(const SpectrumNode& node) {
 
 SpectrumPtr findSpectrum(BuildContext& context, const ParameterSet& parameters, std::string_view name,
                          SpectrumUse use) {
-    if (const auto texture = parameters.findTexture(name)) {
-        parameters.error(name,
-                         fmt::format("textures are not yet supported: texture \"{}\" for \"{}\"", *texture, name));
-        return nullptr;
-    }
     if (use != SpectrumUse::Illuminant && parameters.is(name, ParameterType::Float)) {
         const auto value = parameters.findFloat(name);
         return value ? std::make_shared<ConstantSpectrum>(float(*value)) : nullptr;
@@ -103,14 +98,20 @@ SpectrumPtr findSpectrum(BuildContext& context, const ParameterSet& parameters, 
     return nullptr;
 }
 
-std::optional<float> findFloatTexture(const ParameterSet& parameters, std::string_view name) {
+SpectrumInput findSpectrumInput(BuildContext& context, const ParameterSet& parameters, std::string_view name,
+                                SpectrumUse use) {
+    if (const auto texture = parameters.findTexture(name))
+        return context.textures().findSpectrum(parameters, name, *texture, use);
+    return findSpectrum(context, parameters, name, use);
+}
+
+std::optional<FloatInput> findFloatInput(BuildContext& context, const ParameterSet& parameters, std::string_view name) {
     if (const auto texture = parameters.findTexture(name)) {
-        parameters.error(name,
-                         fmt::format("textures are not yet supported: texture \"{}\" for \"{}\"", *texture, name));
-        return {};
+        const FloatTexturePtr found = context.textures().findFloat(parameters, name, *texture);
+        return found ? std::optional(FloatInput(found)) : std::nullopt;
     }
     const auto value = parameters.findFloat(name);
-    return value ? std::optional(float(*value)) : std::nullopt;
+    return value ? std::optional(FloatInput(float(*value))) : std::nullopt;
 }
 
 void refuse(const ParameterSet& parameters, std::initializer_list<std::string_view> names) {

@@ -1,7 +1,7 @@
 // What all builders share while a scene's nodes are turned into objects.
 #pragma once
 
-#include "nodes/nodes.h"
+#include "scene/texture_library.h"
 #include "spectrum/colorspace.h"
 
 #include <set>
@@ -11,10 +11,13 @@ namespace vitrine {
 /// Building never stops at the first error: a builder records what is wrong and the next one goes on.
 class BuildContext {
   public:
-    BuildContext(const SceneNodes& nodes, Diagnostics& diagnostics) : nodes_(nodes), diagnostics_(diagnostics) {}
+    BuildContext(const SceneNodes& nodes, Diagnostics& diagnostics)
+        : nodes_(nodes), diagnostics_(diagnostics), textures_(*this, nodes) {}
+    BuildContext(const BuildContext&) = delete;
 
     const SceneNodes& nodes() const { return nodes_; }
     Diagnostics& diagnostics() { return diagnostics_; }
+    TextureLibrary& textures() { return textures_; }
 
     /// Runs `build()` for a node, turns what it throws into diagnostics at the node's place, and reports unread
     /// parameters. Empty (value-initialised) result after an error.
@@ -62,20 +65,22 @@ class BuildContext {
   private:
     const SceneNodes& nodes_;
     Diagnostics& diagnostics_;
+    TextureLibrary textures_;
     std::set<std::string> files_;
     std::size_t primitives_ = 0;
     std::map<std::string, SpectrumPtr> spectra_;
 };
 
-/// What a spectrum parameter stands for decides how an RGB triple becomes a spectrum (pbrt-v4's SpectrumType).
-enum class SpectrumUse { Albedo, Unbounded, Illuminant };
-
 /// The spectrum of a parameter; null when it is not given or wrong (then recorded). A single float is allowed for Albedo
 /// and Unbounded where pbrt-v4 takes one for a texture's constant.
 SpectrumPtr findSpectrum(BuildContext& context, const ParameterSet& parameters, std::string_view name, SpectrumUse use);
 
-/// A float parameter that pbrt-v4 lets be a texture.
-std::optional<float> findFloatTexture(const ParameterSet& parameters, std::string_view name);
+/// The same where a texture may stand.
+SpectrumInput findSpectrumInput(BuildContext& context, const ParameterSet& parameters, std::string_view name,
+                                SpectrumUse use);
+
+/// A float or a float texture; empty when it is not given or wrong (then recorded).
+std::optional<FloatInput> findFloatInput(BuildContext& context, const ParameterSet& parameters, std::string_view name);
 
 /// Says that a parameter is valid in pbrt-v4 but not yet supported, if it is given (whatever its type).
 void refuse(const ParameterSet& parameters, std::initializer_list<std::string_view> names);

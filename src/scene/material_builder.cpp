@@ -11,14 +11,14 @@ namespace vitrine {
 namespace {
 
 struct Roughness {
-    float u = 0, v = 0;
+    FloatInput u, v;
     bool remap = true;
 };
 
-Roughness roughness(const ParameterSet& p) {
-    const float both = findFloatTexture(p, "roughness").value_or(0);
-    return {findFloatTexture(p, "uroughness").value_or(both), findFloatTexture(p, "vroughness").value_or(both),
-            p.getBool("remaproughness", true)};
+Roughness roughness(BuildContext& context, const ParameterSet& p) {
+    const FloatInput both = findFloatInput(context, p, "roughness").value_or(0);
+    return {findFloatInput(context, p, "uroughness").value_or(both),
+            findFloatInput(context, p, "vroughness").value_or(both), p.getBool("remaproughness", true)};
 }
 
 /// pbrt-v4 takes an index of refraction as a float or as a spectrum.
@@ -27,22 +27,22 @@ SpectrumPtr indexOfRefraction(BuildContext& context, const ParameterSet& p) {
 }
 
 MaterialPtr diffuse(BuildContext& context, const ParameterSet& p) {
-    return std::make_shared<DiffuseMaterial>(findSpectrum(context, p, "reflectance", SpectrumUse::Albedo));
+    return std::make_shared<DiffuseMaterial>(findSpectrumInput(context, p, "reflectance", SpectrumUse::Albedo));
 }
 
 MaterialPtr conductor(BuildContext& context, const ParameterSet& p) {
-    const Roughness r = roughness(p);
+    const Roughness r = roughness(context, p);
     if (p.has("reflectance")) {
         if (p.has("eta") || p.has("k"))
             throw SceneError(p.place("reflectance"),
                              "a conductor takes \"reflectance\" or \"eta\" and \"k\", not both");
-        const auto reflectance = findSpectrum(context, p, "reflectance", SpectrumUse::Albedo);
+        const auto reflectance = findSpectrumInput(context, p, "reflectance", SpectrumUse::Albedo);
         return reflectance ? std::make_shared<ConductorMaterial>(
                                  ConductorMaterial::fromReflectance(reflectance, r.u, r.v, r.remap))
                            : nullptr;
     }
-    return std::make_shared<ConductorMaterial>(findSpectrum(context, p, "eta", SpectrumUse::Unbounded),
-                                               findSpectrum(context, p, "k", SpectrumUse::Unbounded), r.u, r.v,
+    return std::make_shared<ConductorMaterial>(findSpectrumInput(context, p, "eta", SpectrumUse::Unbounded),
+                                               findSpectrumInput(context, p, "k", SpectrumUse::Unbounded), r.u, r.v,
                                                r.remap);
 }
 
@@ -51,7 +51,7 @@ MaterialPtr dielectric(BuildContext& context, const ParameterSet& p) {
     interior.eta = indexOfRefraction(context, p);
     interior.absorption = findSpectrum(context, p, "absorption", SpectrumUse::Unbounded);
     interior.priority = p.findInteger("priority");
-    const Roughness r = roughness(p);
+    const Roughness r = roughness(context, p);
     return std::make_shared<DielectricMaterial>(std::move(interior), r.u, r.v, r.remap);
 }
 

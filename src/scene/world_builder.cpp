@@ -24,6 +24,7 @@ class WorldBuilder {
     World build() {
         refuseMedia();
         buildMaterials();
+        context_.textures().buildRest();
         checkUnusedAreaLights();
         for (const auto& node : context_.nodes().shapes)
             addShape(node, input_.shapes, true);

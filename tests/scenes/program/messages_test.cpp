@@ -312,20 +312,21 @@ TEST_F(Messages, WhatIsValidButNotYetSupportedSaysSo) {
                  "animated transformations are not yet supported"});
 }
 
-TEST_F(Messages, TexturesParseAndAreRefusedWhereUsed) {
-    const std::string texture =
-        "WorldBegin\nTexture \"wood\" \"spectrum\" \"imagemap\" \"string filename\" \"wood.png\"\n"
-        "Texture \"rough\" \"float\" \"scale\" \"float tex\" .5 \"float scale\" 2\n";
-    write("scene.pbrt", texture + "Shape \"sphere\"\n");
+TEST_F(Messages, TexturesThatAreNotThere) {
+    const std::string textures = "WorldBegin\nTexture \"wood\" \"spectrum\" \"constant\" \"rgb value\" [.2 .1 .1]\n"
+                                 "Texture \"rough\" \"float\" \"constant\" \"float value\" .5\n";
+    write("scene.pbrt", textures + "Material \"diffuse\" \"texture reflectance\" \"wood\"\nShape \"sphere\"\n");
     EXPECT_EQ(run({"info", "scene.pbrt"}).exitCode, 0);
-    refuse(texture + "Material \"diffuse\" \"texture reflectance\" \"wood\"\n",
-           "scene.pbrt:4:20: error: textures are not yet supported: texture \"wood\" for \"reflectance\"\n"
-           "    Material \"diffuse\" \"texture reflectance\" \"wood\"\n"
-           "                       ^^^^^^^^^^^^^^^^^^^^^");
-    refuse(texture + "Material \"dielectric\" \"texture roughness\" \"rough\"\n",
-           "scene.pbrt:4:23: error: textures are not yet supported: texture \"rough\" for \"roughness\"\n"
-           "    Material \"dielectric\" \"texture roughness\" \"rough\"\n"
-           "                          ^^^^^^^^^^^^^^^^^^^");
+    refuse(textures + "Material \"diffuse\" \"texture reflectance\" \"wod\"\n",
+           "scene.pbrt:4:20: error: no spectrum texture \"wod\"\n"
+           "    Material \"diffuse\" \"texture reflectance\" \"wod\"\n"
+           "                       ^^^^^^^^^^^^^^^^^^^^^\n"
+           "    did you mean \"wood\"?");
+    refuse(textures + "Material \"dielectric\" \"texture roughness\" \"wood\"\n",
+           "scene.pbrt:4:23: error: no float texture \"wood\"\n"
+           "    Material \"dielectric\" \"texture roughness\" \"wood\"\n"
+           "                          ^^^^^^^^^^^^^^^^^^^\n"
+           "    there is a spectrum texture of that name");
 }
 
 TEST_F(Messages, OldAndMisspeltNames) {

@@ -27,7 +27,7 @@ SpectrumPtr dispersive() {
 /// The value, times the cosine, of the reflection at direction wo.
 SampledSpectrum reflected(const Material& material, const V3f& wo, float etaOutside = 1) {
     auto lambda = SampledWavelengths::visible(0.4f);
-    const auto s = material.bsdf({{}, {}, etaOutside}, lambda).sample(wo, 0, V2f(0.5f, 0.5f), TransportMode::Radiance);
+    const auto s = material.bsdf({{}, etaOutside}, lambda).sample(wo, 0, V2f(0.5f, 0.5f), TransportMode::Radiance);
     return s && s->isReflection() ? s->f * std::abs(s->wi.z) : SampledSpectrum();
 }
 
@@ -118,7 +118,7 @@ TEST(DielectricMaterial, WithAPriorityIsRelativeToWhatLiesOutside) {
     const Interior nested{constant(1.5f), nullptr, 2}, alone{constant(1.5f), nullptr, {}};
     const auto eta = [](const Interior& interior) {
         auto lambda = SampledWavelengths::visible(0.3f);
-        const Bsdf bsdf = DielectricMaterial(interior).bsdf({{}, {}, 1.33f}, lambda);
+        const Bsdf bsdf = DielectricMaterial(interior).bsdf({{}, 1.33f}, lambda);
         return bsdf.sample(straight, 0.99f, V2f(0, 0), TransportMode::Radiance)->eta;
     };
     EXPECT_FLOAT_EQ(eta(nested), 1.5f / 1.33f);
@@ -128,7 +128,7 @@ TEST(DielectricMaterial, WithAPriorityIsRelativeToWhatLiesOutside) {
 TEST(DielectricMaterial, IsNotThereInItsLike) {
     auto lambda = SampledWavelengths::visible(0.3f);
     const DielectricMaterial glass({dispersive(), nullptr, 1});
-    const Bsdf bsdf = glass.bsdf({{}, {}, (*dispersive())(lambda.hero())}, lambda);
+    const Bsdf bsdf = glass.bsdf({{}, (*dispersive())(lambda.hero())}, lambda);
     const auto s = bsdf.sample(slanted, 0, V2f(0, 0), TransportMode::Radiance);
     ASSERT_TRUE(s && s->isTransmission());
     EXPECT_NEAR((s->wi + slanted).length(), 0, 1e-6);

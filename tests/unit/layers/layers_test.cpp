@@ -10,8 +10,8 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string> layers = {
-    "core",     "spectrum", "nodes", "shapes", "plot",    "accel",       "bsdfs",   "lights", "cameras",
-    "textures", "media",    "film",  "paths",  "photons", "integrators", "denoise", "scene",  "render"};
+    "core",    "spectrum", "nodes", "shapes", "plot",   "accel",       "textures", "bsdfs", "lights",
+    "cameras", "media",    "film",  "paths",  "photons", "integrators", "denoise",  "scene", "render"};
 
 std::ptrdiff_t layerOf(const std::string& folder) {
     return std::find(layers.begin(), layers.end(), folder) - layers.begin();
