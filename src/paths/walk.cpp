@@ -76,7 +76,7 @@ TexturePoint Walk::texturePoint(const Vertex& vertex) const {
     const SurfacePoint& point = vertex.point();
     TexturePoint at;
     at.p = point.p;
-    at.ns = point.ns;
+    at.ng = point.ng;
     at.uv = point.uv;
     if (vertex.surface->filtersTextures())
         if (const double side = pixelSide(); side > 0) spreadOver(point, vertex.wo, float(side * filteredShare), at);

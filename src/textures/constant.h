@@ -5,28 +5,22 @@
 // | value | float or spectrum | 1    | 1       | a float in a float texture, a spectrum in a spectrum one |
 #pragma once
 
-#include "textures/texture.h"
+#include "textures/texture_over.h"
 
 namespace vitrine {
 
-class ConstantFloatTexture final : public FloatTexture {
+template <class Input>
+class ConstantTexture final : public TextureOver<ConstantTexture<Input>, Input> {
   public:
-    explicit ConstantFloatTexture(float value) : value_(value) {}
-    float evaluate(const TexturePoint&) const override { return value_; }
+    explicit ConstantTexture(Input input) : input_(std::move(input)) {}
 
-  private:
-    float value_;
-};
-
-class ConstantSpectrumTexture final : public SpectrumTexture {
-  public:
-    explicit ConstantSpectrumTexture(SpectrumPtr value) : value_(std::move(value)) {}
-    SampledSpectrum evaluate(const TexturePoint&, const SampledWavelengths& lambda) const override {
-        return value_->sample(lambda);
+    template <class... Lambda>
+    auto value(const TexturePoint& at, const Lambda&... lambda) const {
+        return input_(at, lambda...);
     }
 
   private:
-    SpectrumPtr value_;
+    Input input_;
 };
 
 } // namespace vitrine

@@ -12,7 +12,7 @@ namespace vitrine {
 /// dpdy. They are zero where nothing is known of the pixel (photons, alpha), or where no filtering is wanted.
 struct TexturePoint {
     V3d p{0, 0, 0};  ///< world
-    V3f ns{0, 0, 1}; ///< unit shading normal, world
+    V3f ng{0, 0, 1}; ///< unit geometric normal, world
     V2f uv{0, 0};    ///< the shape's
     V3f dpdx{0}, dpdy{0};
     V2f duvdx{0}, duvdy{0};
