@@ -24,13 +24,20 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 MANUAL = ROOT / "docs" / "parameters.md"
 
-# Directive, its table of types in src/scene, what the section opens with.
+# Directive, its table (or tables) of types in src/scene, what the section opens with.
 FAMILIES = [
     ("Shape", "shapeTypes", 'Every shape also takes `"float alpha"`, of which only 1 is supported so far.'),
     ("Material", "materialTypes",
      'The type `""` or `"none"` is another spelling of `"interface"`. A type whose index of refraction or '
      "reflectance is a spectrum takes a single `float` too. Textures, `displacement` and `normalmap` are not yet "
      "supported."),
+    ("Texture", ("floatTextureTypes", "spectrumTextureTypes"),
+     'As in `Texture "name" "spectrum" "checkerboard" ...`; types are for `float` and for `spectrum` textures unless they '
+     "say otherwise. Those that speak of (s, t) take `\"string mapping\"`, by default `\"uv\"`, and its parameters "
+     "(see Mapping); the others lie in the texture's space, which the transformation in front of the directive makes."),
+    ("Mapping", None,
+     "How a point of a surface gets its (s, t). All but `uv` start from the point in the texture's space, which the "
+     "transformation in front of `Texture` makes; it may not move."),
     ("AreaLightSource", "areaLightTypes", 'The type `""` turns area lights off again for the shapes that follow.'),
     ("LightSource", "lightTypes", ""),
     ("Camera", "cameraTypes", "Every camera also takes `shutteropen` and `shutterclose`: see Film."),
@@ -43,12 +50,13 @@ FAMILIES = [
 BUILDERS = [
     (("shape_builder.cpp", "revolution_builder.cpp"), ["Shape"]),
     ("material_builder.cpp", ["Material"]),
+    (("texture_builder.cpp", "mapping_builder.cpp"), ["Texture", "Mapping"]),
     ("light_builder.cpp", ["AreaLightSource", "LightSource"]),
     (("camera_builder.cpp", "film_builder.cpp"), ["Camera", "Film", "PixelFilter", "Sampler"]),
     ("integrator_builder.cpp", ["Integrator"]),
 ]
 # Asked for by all types of a family; stands in its opening sentence instead of each table.
-IN_OPENINGS = {("Shape", "alpha")}
+IN_OPENINGS = {("Shape", "alpha"), ("Texture", "mapping")}
 
 HEADING = re.compile(r'(%s) ("\w+"(?:, "\w+")*)( \([^)]*\))?: (.*)' % "|".join(f for f, _, _ in FAMILIES))
 LOOK_UP = re.compile(r'\b(?:get|find)(?!Builder)[A-Z]\w*(?:<\w+>)?\((?:[\w.]+, )*"(\w+)"|\bemission\((?:[\w.]+, )+"(\w+)"')
@@ -108,14 +116,19 @@ def read_builders():
     return {path.name: path.read_text(encoding="utf-8") for path in (ROOT / "src" / "scene").glob("*_builder.cpp")}
 
 
-def registry(sources, table):
-    """Types of a family in the order of its table: (supported, known but not yet supported)."""
+def registry_entries(sources, table):
     for text in sources.values():
         match = re.search(r"RegistryEntry<\w+> %s\[\] = \{(.*?)\};" % table, text, re.S)
         if match:
-            entries = re.findall(r'\{"(\w+)"(, \w+)?\}', match.group(1))
-            return [name for name, build in entries if build], [name for name, build in entries if not build]
+            return re.findall(r'\{"(\w+)"(, \w+)?\}', match.group(1))
     sys.exit(f"make_manual: there is no table {table} in src/scene")
+
+
+def registry(sources, tables):
+    """Types of a family in the order of its tables: (supported, known but not yet supported)."""
+    entries = [entry for table in tables for entry in registry_entries(sources, table)]
+    supported = list(dict.fromkeys(name for name, build in entries if build))
+    return supported, list(dict.fromkeys(name for name, build in entries if not build and name not in supported))
 
 
 def check_types(family, supported, sections):
@@ -150,7 +163,7 @@ def make_manual():
         if opening:
             out += [opening, ""]
         if table:
-            supported, later = registry(sources, table)
+            supported, later = registry(sources, (table,) if isinstance(table, str) else table)
             faults += check_types(family, supported, own)
             own.sort(key=lambda s: min(supported.index(t) if t in supported else 99 for t in s.types))
             if later:

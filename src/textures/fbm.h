@@ -5,7 +5,7 @@
 // | octaves   | integer |      | 8       | how many, each 1.99 times as fine as the one before; at most 100 |
 // | roughness | float   | 1    | 0.5     | amplitude of an octave, against the one before            |
 //
-// The coarsest has a period of about one unit of the texture's space. What is too fine for a pixel fades out.
+// The coarsest octave changes within one unit of the texture's space. What is too fine for a pixel fades out.
 #pragma once
 
 #include "textures/noise.h"

@@ -77,7 +77,7 @@ class CylindricalMapping final : public Mapping {
     TextureSpace space_;
 };
 
-/// Mapping "planar": s = p.v1 + udelta and t = p.v2 + vdelta for the point p in the texture's space.
+/// Mapping "planar": projected along straight lines: s = p.v1 + udelta and t = p.v2 + vdelta for the point p in the texture's space.
 ///
 /// | name           | type    | unit     | default        | meaning                           |
 /// |----------------|---------|----------|----------------|-----------------------------------|
