@@ -57,8 +57,29 @@ std::vector<Photon> makePhotons() {
     return photons;
 }
 
-/// \param coherent in tiles over each face, as eye paths come; else anywhere, one after the other
-std::vector<GatherDisk> makeDisks(float radius, bool coherent) {
+/// The order in which disks come.
+enum class Order {
+    Coherent, ///< in tiles over each face, as eye paths come
+    Random,   ///< anywhere, one after the other
+    Sorted    ///< the same, but sorted along a curve that fills space (Morton 1966)
+};
+
+const char* nameOf(Order order) {
+    return order == Order::Coherent ? "coherent" : order == Order::Random ? "random" : "sorted";
+}
+
+std::uint32_t mortonCode(const V3f& p) {
+    std::uint32_t code = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto cell = std::uint32_t(std::clamp((p[axis] + 1) * 512, 0.f, 1023.f));
+        for (int bit = 0; bit < 10; ++bit)
+            code |= (cell >> bit & 1) << (3 * bit + axis);
+    }
+    return code;
+}
+
+std::vector<GatherDisk> makeDisks(float radius, Order order) {
+    const bool coherent = order == Order::Coherent;
     RandomStream random(91);
     std::vector<GatherDisk> disks;
     constexpr int tile = 15;
@@ -73,6 +94,10 @@ std::vector<GatherDisk> makeDisks(float radius, bool coherent) {
                                           : placeOnSurface(a, b, c);
                 disks.push_back({at.p, at.n, radius});
             }
+    if (order == Order::Sorted)
+        std::stable_sort(disks.begin(), disks.end(), [](const GatherDisk& a, const GatherDisk& b) {
+            return mortonCode(a.center) < mortonCode(b.center);
+        });
     return disks;
 }
 
@@ -110,10 +135,11 @@ Found askInTiles(const PhotonLookup& lookup, std::span<const GatherDisk> disks) 
 }
 
 #if HAS_NANOFLANN
+/// Places alone, apart from what else photons are: quicker than the photons as they are.
 struct Cloud {
-    const std::vector<Photon>& photons;
-    std::size_t kdtree_get_point_count() const { return photons.size(); }
-    float kdtree_get_pt(std::size_t i, std::size_t axis) const { return photons[i].p()[int(axis)]; }
+    std::vector<V3f> places;
+    std::size_t kdtree_get_point_count() const { return places.size(); }
+    float kdtree_get_pt(std::size_t i, std::size_t axis) const { return places[i][int(axis)]; }
     template <class Box>
     bool kdtree_get_bbox(Box&) const {
         return false;
@@ -122,7 +148,7 @@ struct Cloud {
 using Flann = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Cloud>, Cloud, 3>;
 
 /// The ball round each disk, then the disk's own test.
-Found askFlann(const Flann& index, const std::vector<Photon>& photons, std::span<const GatherDisk> disks) {
+Found askFlann(const Flann& index, const Cloud& cloud, std::span<const GatherDisk> disks) {
     std::vector<std::pair<std::uint32_t, float>> inBall;
     const nanoflann::SearchParams unsorted(32, 0, false);
     Found sum;
@@ -130,7 +156,7 @@ Found askFlann(const Flann& index, const std::vector<Photon>& photons, std::span
         const float ball2 = disk.radius2() * (1 + sqr(GatherDisk::thickness)) * 1.00001f;
         index.radiusSearch(&disk.center.x, ball2, inBall, unsorted);
         for (const auto& [i, ignored] : inBall)
-            if (const float distance2 = distance2InDisk(disk, photons[i].p()); distance2 >= 0) {
+            if (const float distance2 = distance2InDisk(disk, cloud.places[i]); distance2 >= 0) {
                 ++sum.photons;
                 sum.distances += double(distance2);
             }
@@ -149,10 +175,10 @@ double cpuSeconds() {
     return double(std::clock()) / CLOCKS_PER_SEC;
 }
 
-void compare(const std::vector<Photon>& photons, std::vector<Contender>& contenders, bool coherent, double wanted) {
+void compare(const std::vector<Photon>& photons, std::vector<Contender>& contenders, Order order, double wanted) {
     // Photons a unit of area times pi r^2.
     const float density = photonCount / (24 + pi), radius = std::sqrt(float(wanted) / (pi * density));
-    const auto disks = makeDisks(radius, coherent);
+    const auto disks = makeDisks(radius, order);
     const PhotonGrid grid({photons}, 2 * radius), narrow({photons}, radius);
     PointTree tree;
     const TreeLookup byTree(photons, tree);
@@ -179,7 +205,7 @@ void compare(const std::vector<Photon>& photons, std::vector<Contender>& contend
     if (!(askInTiles(grid, std::span(disks).first(few)) == expected))
         throw std::runtime_error("the grid misses photons");
 
-    fmt::print("{} disks, {}, {:.1f} photons each\n", disks.size(), coherent ? "coherent" : "random",
+    fmt::print("{} disks, {}, {:.1f} photons each\n", disks.size(), nameOf(order),
                double(found[0].photons) / double(disks.size()));
     double first = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -206,20 +232,21 @@ void run() {
     timed("the grid", [&] { return PhotonGrid({photons}, 0.02f).memoryBytes(); });
     std::vector<Contender> contenders;
 #if HAS_NANOFLANN
-    const Cloud cloud{photons};
+    Cloud cloud;
+    for (const Photon& photon : photons)
+        cloud.places.push_back(photon.p());
     std::vector<std::unique_ptr<Flann>> indices;
     for (const std::size_t leaf : {10, 30}) {
         const std::string name = fmt::format("nanoflann, leaves of {}", leaf);
         indices.push_back(timed(name.c_str(), [&] {
             return std::make_unique<Flann>(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(leaf));
         }));
-        contenders.push_back(
-            {name, [&index = *indices.back(), &photons](auto d) { return askFlann(index, photons, d); }});
+        contenders.push_back({name, [&index = *indices.back(), &cloud](auto d) { return askFlann(index, cloud, d); }});
     }
 #endif
-    for (const bool coherent : {true, false})
+    for (const Order order : {Order::Coherent, Order::Random, Order::Sorted})
         for (const double wanted : {1.5, 10., 30., 100.})
-            compare(photons, contenders, coherent, wanted);
+            compare(photons, contenders, order, wanted);
 }
 
 } // namespace

@@ -5,67 +5,25 @@
 #include <tbb/parallel_for.h>
 
 #include <bit>
-#include <cstring>
-
-#ifdef __AVX__
-#include <immintrin.h>
-#endif
 
 namespace vitrine {
 
 namespace {
 
-/// Photons whose distances are computed at a time.
-constexpr std::uint32_t lanes = 8;
+constexpr std::uint32_t lanes = EightPlaces::lanes;
 
 unsigned chosenBits(unsigned asked, std::size_t photons) {
     return asked > 0 ? asked : std::clamp(unsigned(std::bit_width(photons)), 10u, 28u);
 }
 
-using Eight [[gnu::vector_size(32)]] = float;
-using EightMask [[gnu::vector_size(32)]] = std::int32_t;
+/// Of coordinates in widths of rows, in row i.
+struct RowSpan {
+    float begin, end;
+};
 
-unsigned bitsOf(const EightMask& mask) {
-#ifdef __AVX__
-    return unsigned(_mm256_movemask_ps(__m256(mask)));
-#else
-    unsigned bits = 0;
-    for (unsigned i = 0; i < lanes; ++i)
-        bits |= unsigned(mask[i] != 0) << i;
-    return bits;
-#endif
-}
-
-/// Lanes, as bits, in whose disk the photons p[0] to p[7] lie, by the same operations as distance2InDisk().
-unsigned eightInDisk(const GatherDisk& disk, const Photon* p, float* distance2) {
-    // Places of four photons and four others, transposed: x, y, z of all eight.
-    const auto pair = [p](int i) {
-        using Four [[gnu::vector_size(16)]] = float;
-        const auto load = [](const Photon* photon) {
-            Four place;
-            std::memcpy(&place, photon, sizeof place);
-            return place;
-        };
-        return __builtin_shufflevector(load(p + i), load(p + i + 4), 0, 1, 2, 3, 4, 5, 6, 7);
-    };
-    const Eight p0 = pair(0), p1 = pair(1), p2 = pair(2), p3 = pair(3);
-    const auto low = [](const Eight& a, const Eight& b) {
-        return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
-    };
-    const Eight xy01 = low(p0, p1), xy23 = low(p2, p3);
-    const Eight z01 = __builtin_shufflevector(p0, p1, 2, 10, 2, 10, 6, 14, 6, 14);
-    const Eight z23 = __builtin_shufflevector(p2, p3, 2, 10, 2, 10, 6, 14, 6, 14);
-    const V3f &c = disk.center, &n = disk.normal;
-    const Eight dx = __builtin_shufflevector(xy01, xy23, 0, 1, 8, 9, 4, 5, 12, 13) - c.x,
-                dy = __builtin_shufflevector(xy01, xy23, 2, 3, 10, 11, 6, 7, 14, 15) - c.y,
-                dz = __builtin_shufflevector(z01, z23, 0, 1, 8, 9, 4, 5, 12, 13) - c.z;
-    const Eight off = dx * n.x + dy * n.y + dz * n.z;
-    const Eight d2 = dx * dx + dy * dy + dz * dz - off * off;
-    const Eight height = off < 0 ? -off : off;
-    const EightMask inside = (d2 < disk.radius2()) & (height <= GatherDisk::thickness * disk.radius);
-    const Eight nearest = d2 > 0 ? d2 : Eight{};
-    std::memcpy(distance2, &nearest, sizeof nearest);
-    return bitsOf(inside);
+RowSpan spanOf(std::int32_t i) {
+    const float begin = float(i); // exact: large ones were rounded from a float
+    return {begin, std::abs(i) < 1 << 24 ? begin + 1 : std::nextafter(begin, infinity)};
 }
 
 } // namespace
@@ -75,10 +33,10 @@ PhotonGrid::PhotonGrid(PhotonBlocks blocks, float rowWidth, unsigned tableBits) 
         count_ += block.size();
     const unsigned bits = chosenBits(tableBits, count_), partBits = std::min(bits, 8u), rest = bits - partBits;
     mask_ = std::uint32_t((std::uint64_t(1) << bits) - 1);
-    photons_ = std::make_unique_for_overwrite<Photon[]>(count_ + lanes);
-    std::fill_n(photons_.get() + count_, lanes,
-                Photon(V3f(0), V3f(0, 0, 1), 0, LightHistory::Scattered, SampledSpectrum(0.f)));
+    photons_ = std::make_unique_for_overwrite<Photon[]>(count_);
     const std::vector<std::uint32_t> partStarts = sortIntoParts(std::move(blocks), rest);
+    places_ = std::make_unique_for_overwrite<EightPlaces[]>(eights());
+    if (count_ > 0) places_[eights() - 1] = EightPlaces{};
     starts_.resize(std::size_t(mask_) + 2);
     starts_.back() = std::uint32_t(count_);
     tbb::parallel_for(std::size_t(0), partStarts.size() - 1, [&](std::size_t part) {
@@ -139,64 +97,133 @@ void PhotonGrid::sortPart(std::uint32_t begin, std::uint32_t end, std::uint32_t*
     }
     for (std::size_t i = 0; i < unsorted.size(); ++i)
         photons_[next[keys[i]]++] = unsorted[i];
+    for (std::size_t i = begin; i < end; ++i)
+        places_[i / lanes].set(i % lanes, photons_[i].p());
 }
 
-void PhotonGrid::find(std::span<const GatherDisk> disks, NearPhotons& found) const {
-    found.clear();
-    for (const GatherDisk& disk : disks) {
-        findInDisk(disk, found);
-        found.endDisk();
+/// Looks through runs of photons in the order in which disks ask for them, but many at a time: each run is first fetched
+/// from the table and then from memory while others are. Waiting for one after the other takes longer than all the rest.
+class PhotonGrid::Search {
+  public:
+    Search(const PhotonGrid& grid, std::span<const GatherDisk> disks, NearPhotons& found)
+        : grid_(grid), disks_(disks), found_(found) {}
+
+    void add(std::uint32_t disk);
+    void finish() {
+        searchRuns();
+        endDisksBefore(disks_.size());
     }
-}
 
-void PhotonGrid::findInDisk(const GatherDisk& disk, NearPhotons& found) const {
+  private:
+    /// Photons to be tried. While it waits: places of the table.
+    struct Run {
+        std::uint32_t begin, end, disk;
+        float yBegin, yEnd, zBegin, zEnd; ///< of the row, in widths of rows: others may share its place of the table
+    };
+    static constexpr std::size_t together = 128;
+
+    void add(const Run& run) {
+        if (count_ == together) searchRuns();
+        __builtin_prefetch(&grid_.starts_[run.begin]);
+        __builtin_prefetch(&grid_.starts_[run.end]);
+        runs_[count_++] = run;
+    }
+    void addRow(std::uint32_t disk, std::int32_t x0, std::int32_t x1, const Row& row);
+    void fetch(Run& run) const;
+    void searchRuns();
+    void searchRun(const Run& run);
+    void endDisksBefore(std::size_t disk) {
+        while (found_.disks() < disk)
+            found_.endDisk();
+    }
+
+    const PhotonGrid& grid_;
+    std::span<const GatherDisk> disks_;
+    NearPhotons& found_;
+    std::array<Run, together> runs_;
+    std::size_t count_ = 0;
+};
+
+void PhotonGrid::Search::add(std::uint32_t disk) {
     // A little more than the disk, as distances are rounded.
-    const V3f half = disk.halfExtents() * 1.0001f;
+    const V3f half = disks_[disk].halfExtents() * 1.0001f;
     const auto lowest = [](float c, float h) { return c - h - 1e-6f * std::abs(c); };
     const auto highest = [](float c, float h) { return c + h + 1e-6f * std::abs(c); };
-    const V3f& c = disk.center;
-    const std::int32_t x0 = along(lowest(c.x, half.x)), x1 = along(highest(c.x, half.x));
-    const std::int32_t y0 = across(lowest(c.y, half.y)), y1 = across(highest(c.y, half.y));
-    const std::int32_t z0 = across(lowest(c.z, half.z)), z1 = across(highest(c.z, half.z));
+    const V3f& c = disks_[disk].center;
+    const std::int32_t x0 = grid_.along(lowest(c.x, half.x)), x1 = grid_.along(highest(c.x, half.x));
+    const std::int32_t y0 = grid_.across(lowest(c.y, half.y)), y1 = grid_.across(highest(c.y, half.y));
+    const std::int32_t z0 = grid_.across(lowest(c.z, half.z)), z1 = grid_.across(highest(c.z, half.z));
     // A disk far larger than a cell: trying all photons is less work than all cells.
     const double rows = (double(y1) - y0 + 1) * (double(z1) - z0 + 1);
-    if (rows > 64 + double(count_) / lanes) {
-        searchRun(disk, 0, std::uint32_t(count_), nullptr, found);
+    if (rows > 64 + double(grid_.count_) / lanes) {
+        add({0, grid_.mask_ + 1, disk, -infinity, infinity, -infinity, infinity});
         return;
     }
     for (std::int32_t z = z0; z <= z1; ++z)
         for (std::int32_t y = y0; y <= y1; ++y)
-            searchRow(disk, x0, x1, {y, z}, found);
+            addRow(disk, x0, x1, {y, z});
 }
 
-void PhotonGrid::searchRow(const GatherDisk& disk, std::int32_t x0, std::int32_t x1, const Row& row,
-                           NearPhotons& found) const {
-    const std::uint32_t first = key(x0, row);
-    const std::uint64_t places = std::min(std::uint64_t(std::int64_t(x1) - x0 + 1), std::uint64_t(mask_) + 1);
+void PhotonGrid::Search::addRow(std::uint32_t disk, std::int32_t x0, std::int32_t x1, const Row& row) {
+    const std::uint32_t first = grid_.key(x0, row);
+    const std::uint64_t size = std::uint64_t(grid_.mask_) + 1;
+    const std::uint64_t places = std::min(std::uint64_t(std::int64_t(x1) - x0 + 1), size);
     const std::uint64_t last = first + places; // may run over the table's end, and on from its start
-    const std::uint64_t end = std::min(last, std::uint64_t(mask_) + 1);
-    searchRun(disk, starts_[first], starts_[end], &row, found);
-    if (last > end) searchRun(disk, starts_[0], starts_[last - end], &row, found);
+    const std::uint64_t end = std::min(last, size);
+    const RowSpan y = spanOf(row.y), z = spanOf(row.z);
+    add({first, std::uint32_t(end), disk, y.begin, y.end, z.begin, z.end});
+    if (last > end) add({0, std::uint32_t(last - end), disk, y.begin, y.end, z.begin, z.end});
 }
 
-void PhotonGrid::searchRun(const GatherDisk& disk, std::uint32_t begin, std::uint32_t end, const Row* row,
-                           NearPhotons& found) const {
-    for (std::uint32_t i = begin; i < end; i += lanes) {
-        float distance2[lanes];
-        unsigned inside = eightInDisk(disk, &photons_[i], distance2);
-        if (end - i < lanes) inside &= (1u << (end - i)) - 1;
-        for (; inside; inside &= inside - 1) {
-            const auto k = unsigned(std::countr_zero(inside));
-            const V3f p = photons_[i + k].p();
-            // Of another row, which shares its place of the table.
-            if (row && (across(p.y) != row->y || across(p.z) != row->z)) continue;
-            found.add({i + k, distance2[k]});
-        }
+void PhotonGrid::Search::fetch(Run& run) const {
+    // Of longer runs the rest comes by itself, as it is read in order.
+    constexpr std::uint32_t most = 4, cacheLine = 64;
+    run.begin = grid_.starts_[run.begin];
+    run.end = grid_.starts_[run.end];
+    const std::uint32_t first = run.begin / lanes, end = std::min((run.end + lanes - 1) / lanes, first + most);
+    const auto* const last = reinterpret_cast<const char*>(&grid_.places_[end]);
+    for (auto* at = reinterpret_cast<const char*>(&grid_.places_[first]); at < last; at += cacheLine)
+        __builtin_prefetch(at);
+}
+
+void PhotonGrid::Search::searchRuns() {
+    for (std::size_t i = 0; i < count_; ++i)
+        fetch(runs_[i]);
+    for (std::size_t i = 0; i < count_; ++i) {
+        endDisksBefore(runs_[i].disk);
+        searchRun(runs_[i]);
+    }
+    count_ = 0;
+}
+
+void PhotonGrid::Search::searchRun(const Run& run) {
+    const GatherDisk disk = disks_[run.disk];
+    const float scale = grid_.rowsPerUnit_;
+    unsigned lanesOfRun = ~0u << run.begin % lanes & 255;
+    for (std::uint32_t i = run.begin / lanes * lanes; i < run.end; i += lanes) {
+        const EightPlaces& places = grid_.places_[i / lanes];
+        EightPlaces::Floats distance2;
+        const EightPlaces::Mask inDisk = places.inDisk(disk, distance2);
+        const EightPlaces::Floats y = places.y * scale, z = places.z * scale;
+        const EightPlaces::Mask inRow = (y >= run.yBegin) & (y < run.yEnd) & (z >= run.zBegin) & (z < run.zEnd);
+        if (run.end - i < lanes) lanesOfRun &= (1u << (run.end - i)) - 1;
+        const unsigned inside = EightPlaces::bitsOf(inDisk & inRow) & lanesOfRun;
+        EightPlaces::write(inside, i, distance2, found_.room(lanes));
+        found_.grow(unsigned(std::popcount(inside)));
+        lanesOfRun = 255;
     }
 }
 
+void PhotonGrid::find(std::span<const GatherDisk> disks, NearPhotons& found) const {
+    found.clear();
+    Search search(*this, disks, found);
+    for (std::size_t i = 0; i < disks.size(); ++i)
+        search.add(std::uint32_t(i));
+    search.finish();
+}
+
 std::size_t PhotonGrid::memoryBytes() const {
-    return (count_ + lanes) * sizeof(Photon) + starts_.capacity() * sizeof(std::uint32_t);
+    return count_ * sizeof(Photon) + eights() * sizeof(EightPlaces) + starts_.capacity() * sizeof(std::uint32_t);
 }
 
 } // namespace vitrine

@@ -1,7 +1,7 @@
 // Photons in a hash grid: rows of cells of equal size, made by a counting sort.
 #pragma once
 
-#include "photons/photon_lookup.h"
+#include "photons/eight_places.h"
 
 #include <memory>
 
@@ -33,20 +33,19 @@ class PhotonGrid final : public PhotonLookup {
     static std::int32_t rounded(float x) { return std::int32_t(std::floor(std::clamp(x, -1e9f, 1e9f))); }
     std::int32_t across(float yOrZ) const { return rounded(yOrZ * rowsPerUnit_); }
     std::int32_t along(float x) const { return rounded(x * (cellsPerWidth * rowsPerUnit_)); }
+    std::size_t eights() const { return (count_ + EightPlaces::lanes - 1) / EightPlaces::lanes; }
     std::uint32_t key(std::int32_t x, const Row& row) const;
     std::uint32_t key(const Photon& photon) const;
     std::vector<std::uint32_t> sortIntoParts(PhotonBlocks blocks, unsigned shift);
     void sortPart(std::uint32_t begin, std::uint32_t end, std::uint32_t* starts, unsigned bits);
-    void findInDisk(const GatherDisk& disk, NearPhotons& found) const;
-    void searchRow(const GatherDisk& disk, std::int32_t x0, std::int32_t x1, const Row& row, NearPhotons& found) const;
-    void searchRun(const GatherDisk& disk, std::uint32_t begin, std::uint32_t end, const Row* row,
-                   NearPhotons& found) const;
+    class Search;
 
     float rowsPerUnit_;
     std::uint32_t mask_ = 0;
     std::size_t count_ = 0;
-    std::unique_ptr<Photon[]> photons_; ///< and room behind them for eight to be read at a time
-    std::vector<std::uint32_t> starts_; ///< first photon of each place of the table, and the end
+    std::unique_ptr<Photon[]> photons_;
+    std::unique_ptr<EightPlaces[]> places_; ///< of the photons, and of none behind them
+    std::vector<std::uint32_t> starts_;     ///< first photon of each place of the table, and the end
 };
 
 } // namespace vitrine

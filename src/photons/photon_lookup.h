@@ -20,7 +20,7 @@ struct NearPhoton {
 class NearPhotons {
   public:
     void clear() {
-        photons_.clear();
+        size_ = 0;
         ends_.clear();
     }
     std::size_t disks() const { return ends_.size(); }
@@ -28,19 +28,31 @@ class NearPhotons {
         const std::size_t begin = disk == 0 ? 0 : ends_[disk - 1];
         return {photons_.data() + begin, ends_[disk] - begin};
     }
-    std::size_t size() const { return photons_.size(); }
+    std::size_t size() const { return size_; }
 
     /// All at once. \param ends of each disk's photons in `photons`
     void assign(std::vector<NearPhoton> photons, std::vector<std::size_t> ends) {
         photons_ = std::move(photons);
+        size_ = photons_.size();
         ends_ = std::move(ends);
     }
     /// To the disk that is next to be ended.
-    void add(const NearPhoton& photon) { photons_.push_back(photon); }
-    void endDisk() { ends_.push_back(photons_.size()); }
+    void add(const NearPhoton& photon) {
+        *room(1) = photon;
+        grow(1);
+    }
+    /// Where so many may be written.
+    NearPhoton* room(std::size_t photons) {
+        if (photons_.size() < size_ + photons) photons_.resize(2 * (size_ + photons));
+        return photons_.data() + size_;
+    }
+    /// So many were written to the room.
+    void grow(std::size_t photons) { size_ += photons; }
+    void endDisk() { ends_.push_back(size_); }
 
   private:
-    std::vector<NearPhoton> photons_;
+    std::vector<NearPhoton> photons_; ///< and room behind them
+    std::size_t size_ = 0;
     std::vector<std::size_t> ends_;
 };
 
