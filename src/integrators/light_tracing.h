@@ -15,7 +15,7 @@ namespace vitrine {
 /// | maxdepth | integer | bounces | 5             | scattering events a path may have |
 /// | photonsperiteration | integer |  | -1         | light paths a pass; -1: as many as the picture has pixels. Not in pbrt-v4 |
 /// | iterations | integer |       | the sampler's pixelsamples | passes. Not in pbrt-v4 |
-/// | lightsampler | string  |     | "power"       | which light a path starts from: "uniform": all alike; "power": mostly by power. pbrt-v4's "bvh" and "exhaustive" are read and mean "power" |
+/// | lightsampler | string  |     | "power"       | which light a path starts from: "uniform": all alike; "power", "bvh" or "exhaustive": mostly by power |
 /// | seed     | integer |         | the sampler's | other seeds give other noise. Not in pbrt-v4 |
 struct LightTracingSettings {
     int maxDepth = 5;

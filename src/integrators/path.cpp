@@ -67,7 +67,7 @@ SampledSpectrum PathIntegrator::follow(const World& world, Walk& walk, SampleStr
         const auto scattered = walk.scatter(vertex, bsdf, uLobe, stream.get2D());
         if (!scattered) return result;
         // Without next-event estimation nothing competes with running into lights.
-        last = {vertex.point().p, scattered->pdf, scattered->specular || !settings_.nee};
+        last = {receiverAt(vertex, bsdf), scattered->pdf, scattered->specular || !settings_.nee};
         regularize |= settings_.regularize && !scattered->specular;
 
         // As pbrt-v4: survival by the throughput as it was before refraction squeezed or spread the beam, and without

@@ -14,7 +14,7 @@ namespace vitrine {
 /// | rrdepth      | integer | bounces | 1       | Russian roulette begins after this many. Not in pbrt-v4, where it is 1 |
 /// | regularize   | bool    |         | false   | roughen near-specular surfaces after the first scattering that is not (biased) |
 /// | nee          | bool    |         | true    | direct light by sampling lights, combined with BSDF sampling; false: plain path tracing, an oracle. Not in pbrt-v4 |
-/// | lightsampler | string  |         | "power" | which light is asked: "uniform": all alike; "power": mostly by power. pbrt-v4's "bvh" and "exhaustive" are read and mean "power" |
+/// | lightsampler | string  |         | "bvh" of more than 16 lights, else "power" | which light is asked: "uniform": all alike; "power": mostly by power; "bvh": by what each brings to the point, each face of a mesh by itself. "exhaustive" is read as "bvh" |
 struct PathSettings {
     int maxDepth = 5;
     int rrDepth = 1;

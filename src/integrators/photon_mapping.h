@@ -32,7 +32,7 @@ enum class PhotonSearch { Grid, Tree, Naive };
 /// | lookup              | string  |             | "grid"           | "grid", "kdtree" (ppm only) or "naive": how photons are found; the picture is the same but for rounding |
 /// | hitpointsperpixel   | integer |             | 4                | ppm only: eye paths a pixel |
 /// | iterations          | integer |             | the sampler's pixelsamples | passes |
-/// | lightsampler        | string  |             | "power"          | which light is asked for direct light and sends photons: "uniform": all alike; "power": mostly by power. pbrt-v4's "bvh" and "exhaustive" are read and mean "power" |
+/// | lightsampler        | string  |             | "bvh" of more than 16 lights, else "power" | which light is asked for direct light and sends photons: "uniform": all alike; "power": mostly by power; "bvh": by what each brings to the point, each face of a mesh by itself, and photons by power. "exhaustive" is read as "bvh" |
 /// | seed                | integer |             | the sampler's    | other seeds give other noise |
 struct PhotonMappingSettings {
     bool fixedEyePaths = false; ///< ppm

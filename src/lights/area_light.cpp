@@ -15,10 +15,26 @@ SampledSpectrum AreaLight::power(const SampledWavelengths& lambda) const {
     return l_->sample(lambda) * float(piD * shape_->area() * (twoSided_ ? 2 : 1));
 }
 
-std::optional<LightSample> AreaLight::sample(const V3d& p, const V2f& u, const SampledWavelengths& lambda) const {
-    const auto onShape = shape_->sample(p, u);
+LightBounds AreaLight::partBounds(unsigned part) const {
+    const ShapePart shape = shape_->part(part);
+    const double share = shape.area / shape_->area();
+    return {shape.bounds, shape.normals, 0, twoSided_, share / (piD * (twoSided_ ? 2 : 1))};
+}
+
+std::optional<LightSample> AreaLight::sample(const LightReceiver& at, const V2f& u,
+                                             const SampledWavelengths& lambda) const {
+    return lightFrom(shape_->sample(at.p, u), at, lambda);
+}
+
+std::optional<LightSample> AreaLight::samplePart(unsigned part, const LightReceiver& at, const V2f& u,
+                                                 const SampledWavelengths& lambda) const {
+    return lightFrom(shape_->samplePart(part, at.p, u), at, lambda);
+}
+
+std::optional<LightSample> AreaLight::lightFrom(const std::optional<ShapeSample>& onShape, const LightReceiver& at,
+                                                const SampledWavelengths& lambda) const {
     if (!onShape || !(onShape->pdf > 0)) return {};
-    const V3d toLight = onShape->point.p - p;
+    const V3d toLight = onShape->point.p - at.p;
     const double distance = toLight.length();
     if (!(distance > 0)) return {};
     const V3f wi = toFloat(toLight * (1 / distance));
@@ -31,7 +47,7 @@ std::optional<LightSample> AreaLight::sample(const V3d& p, const V2f& u, const S
     // The error of a point of a mesh is what Embree's single precision does to rays that start there. Where they end, no
     // more counts than the double that meshes are solved in.
     const bool isMesh = shape_->kind() == GeometryKind::Triangles || shape_->kind() == GeometryKind::Quads;
-    sample->shadow = shadowTo(isMesh ? onShape->point.p : offsetOrigin(onShape->point, -wi), p);
+    sample->shadow = shadowTo(isMesh ? onShape->point.p : offsetOrigin(onShape->point, -wi), at.p);
     return sample;
 }
 

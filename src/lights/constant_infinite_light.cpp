@@ -14,7 +14,7 @@ SampledSpectrum ConstantInfiniteLight::powerInto(const SceneSphere& sphere, cons
     return l_->sample(lambda) * float(4 * piD * sphere.crossSection());
 }
 
-std::optional<LightSample> ConstantInfiniteLight::sample(const V3d&, const V2f& u,
+std::optional<LightSample> ConstantInfiniteLight::sample(const LightReceiver&, const V2f& u,
                                                          const SampledWavelengths& lambda) const {
     LightSample sample;
     sample.l = l_->sample(lambda);

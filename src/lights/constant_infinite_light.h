@@ -30,7 +30,8 @@ class ConstantInfiniteLight final : public Light {
     /// What falls on the scene's bounding sphere.
     SampledSpectrum power(const SampledWavelengths& lambda) const override { return powerInto(scene_, lambda); }
     SampledSpectrum powerInto(const SceneSphere& sphere, const SampledWavelengths& lambda) const override;
-    std::optional<LightSample> sample(const V3d& p, const V2f& u, const SampledWavelengths& lambda) const override;
+    std::optional<LightSample> sample(const LightReceiver& at, const V2f& u,
+                                      const SampledWavelengths& lambda) const override;
     std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection,
                                       const SampledWavelengths& lambda) const override;
     SampledSpectrum escaped(const V3f&, const SampledWavelengths& lambda) const override { return l_->sample(lambda); }

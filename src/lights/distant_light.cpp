@@ -17,7 +17,8 @@ SampledSpectrum DistantLight::powerInto(const SceneSphere& sphere, const Sampled
     return irradiance_->sample(lambda) * float(sphere.crossSection());
 }
 
-std::optional<LightSample> DistantLight::sample(const V3d&, const V2f&, const SampledWavelengths& lambda) const {
+std::optional<LightSample> DistantLight::sample(const LightReceiver&, const V2f&,
+                                                const SampledWavelengths& lambda) const {
     LightSample sample;
     sample.l = irradiance_->sample(lambda);
     if (sample.l.isBlack()) return {};

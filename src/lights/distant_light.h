@@ -34,7 +34,8 @@ class DistantLight final : public Light {
     /// What falls on the disk of the scene's bounding sphere.
     SampledSpectrum power(const SampledWavelengths& lambda) const override { return powerInto(scene_, lambda); }
     SampledSpectrum powerInto(const SceneSphere& sphere, const SampledWavelengths& lambda) const override;
-    std::optional<LightSample> sample(const V3d& p, const V2f& u, const SampledWavelengths& lambda) const override;
+    std::optional<LightSample> sample(const LightReceiver& at, const V2f& u,
+                                      const SampledWavelengths& lambda) const override;
     std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection,
                                       const SampledWavelengths& lambda) const override;
     bool isDelta() const override { return true; }

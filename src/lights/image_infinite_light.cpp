@@ -61,7 +61,7 @@ float ImageInfiniteLight::pdfOfSquare(const V2f& square) const {
     return float(density_.pdf(square) / (texels * grid.solidAngle(grid.row(square.y))));
 }
 
-std::optional<LightSample> ImageInfiniteLight::sample(const V3d&, const V2f& u,
+std::optional<LightSample> ImageInfiniteLight::sample(const LightReceiver&, const V2f& u,
                                                       const SampledWavelengths& lambda) const {
     const V3f d = image_.grid().uniformDirection(density_.sample(u).p);
     LightSample sample;
@@ -77,7 +77,7 @@ std::optional<LightSample> ImageInfiniteLight::sample(const V3d&, const V2f& u,
 
 std::optional<LightEmission> ImageInfiniteLight::emit(const V2f& uPosition, const V2f& uDirection,
                                                       const SampledWavelengths& lambda) const {
-    const auto towards = sample(scene_.center, uDirection, lambda);
+    const auto towards = sample(LightReceiver(scene_.center), uDirection, lambda);
     if (!towards) return {};
     return LightEmission{scene_.beam(-towards->wi, uPosition),
                          towards->l * float(scene_.crossSection() / towards->pdf)};

@@ -1,6 +1,7 @@
 // Lights: emitted radiance, and how to choose directions towards them.
 #pragma once
 
+#include "lights/light_bounds.h"
 #include "shapes/shape.h"
 #include "spectrum/spectrum.h"
 
@@ -47,8 +48,22 @@ class Light {
     }
     /// Where it lies; empty for lights at infinity.
     virtual Box3d bounds() const { return {}; }
-    /// A direction from `p`, chosen by what arrives. Empty when nothing does.
-    virtual std::optional<LightSample> sample(const V3d& p, const V2f& u, const SampledWavelengths& lambda) const = 0;
+    /// A direction from the receiver, chosen by what arrives. Empty when nothing does.
+    virtual std::optional<LightSample> sample(const LightReceiver& at, const V2f& u,
+                                              const SampledWavelengths& lambda) const = 0;
+
+    /// Into how many parts the choice of lights may divide it, each to be asked by itself.
+    virtual unsigned partCount() const { return 1; }
+    /// What one part sends out when the whole light emits 1 W; by default, to all sides alike. Not of lights at infinity or
+    /// of infinite area.
+    virtual LightBounds partBounds(unsigned part) const {
+        return (void)part, LightBounds{bounds(), {}, -1, false, 1 / (4 * piD)};
+    }
+    /// As sample(), from one part alone.
+    virtual std::optional<LightSample> samplePart(unsigned part, const LightReceiver& at, const V2f& u,
+                                                  const SampledWavelengths& lambda) const {
+        return (void)part, sample(at, u, lambda);
+    }
     /// A ray of what the light emits (from lights at infinity: into the scene's bounding sphere), chosen by what it carries.
     /// The expectation of its power is power(), save where that is an estimate. Empty when nothing is emitted there, and
     /// always for shapes of infinite area.
@@ -97,21 +112,33 @@ class AreaLight final : public Light {
 
     SampledSpectrum power(const SampledWavelengths& lambda) const override;
     Box3d bounds() const override { return shape_->bounds(); }
-    std::optional<LightSample> sample(const V3d& p, const V2f& u, const SampledWavelengths& lambda) const override;
+    std::optional<LightSample> sample(const LightReceiver& at, const V2f& u,
+                                      const SampledWavelengths& lambda) const override;
+    unsigned partCount() const override { return shape_->partCount(); }
+    LightBounds partBounds(unsigned part) const override;
+    std::optional<LightSample> samplePart(unsigned part, const LightReceiver& at, const V2f& u,
+                                          const SampledWavelengths& lambda) const override;
     std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection,
                                       const SampledWavelengths& lambda) const override;
     /// Radiance leaving `point` towards w.
     SampledSpectrum emitted(const SurfacePoint& point, const V3f& w, const SampledWavelengths& lambda) const {
         return twoSided_ || w.dot(point.ng) > 0 ? l_->sample(lambda) : SampledSpectrum(0);
     }
-    /// Density of sample(from, ...) to give the point of a hit, per solid angle at `from`.
-    float pdf(const V3d& from, const PrimitiveHit& hit, const SurfacePoint& point) const {
-        return shape_->pdf(from, hit, point);
+    /// Density of sample(at, ...) to give the point of a hit, per solid angle at the receiver.
+    float pdf(const LightReceiver& at, const PrimitiveHit& hit, const SurfacePoint& point) const {
+        return shape_->pdf(at.p, hit, point);
+    }
+    /// Of samplePart(part of the hit, at, ...).
+    float partPdf(const LightReceiver& at, const PrimitiveHit& hit, const SurfacePoint& point) const {
+        return shape_->partPdf(at.p, hit, point);
     }
     using Light::pdf;
     const Shape& shape() const { return *shape_; }
 
   private:
+    std::optional<LightSample> lightFrom(const std::optional<ShapeSample>& onShape, const LightReceiver& at,
+                                         const SampledWavelengths& lambda) const;
+
     ShapePtr shape_;
     SpectrumPtr l_;
     bool twoSided_;

@@ -14,9 +14,10 @@ SampledSpectrum PointLight::power(const SampledWavelengths& lambda) const {
     return intensity_->sample(lambda) * (4 * pi);
 }
 
-std::optional<LightSample> PointLight::sample(const V3d& p, const V2f&, const SampledWavelengths& lambda) const {
+std::optional<LightSample> PointLight::sample(const LightReceiver& at, const V2f&,
+                                              const SampledWavelengths& lambda) const {
     LightSample sample;
-    sample.shadow = shadowTo(position_, p);
+    sample.shadow = shadowTo(position_, at.p);
     const double distance2 = sample.shadow.d.length2();
     if (!(distance2 > 0)) return {};
     sample.wi = toFloat(sample.shadow.d / std::sqrt(distance2));

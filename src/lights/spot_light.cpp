@@ -52,9 +52,24 @@ SampledSpectrum SpotLight::power(const SampledWavelengths& lambda) const {
     return intensity_->sample(lambda) * float(solidAngle());
 }
 
-std::optional<LightSample> SpotLight::sample(const V3d& p, const V2f&, const SampledWavelengths& lambda) const {
+LightBounds SpotLight::partBounds(unsigned) const {
+    LightBounds bounds{Box3d(position_), {}, -1, false, 1 / solidAngle()};
+    // A rim wider than a quarter turn, or a cone that its transform squeezes: all directions serve.
+    const double reach = std::acos(cosEnd_) - std::acos(cosStart_);
+    const Transform worldFromSpot = spotFromWorld_.inverse();
+    const double mean = linearNorm(worldFromSpot.matrix()) / std::sqrt(3.);
+    const bool keepsAngles = std::abs(linearDeterminant(worldFromSpot.matrix())) >= 0.999999 * mean * mean * mean;
+    if (reach > piD / 2 || !keepsAngles) return bounds;
+    bounds.normals = DirectionCone::about(worldFromSpot.vector(V3d(0, 0, 1)));
+    bounds.normals.cosAngle = cosStart_;
+    bounds.cosReach = std::cos(reach);
+    return bounds;
+}
+
+std::optional<LightSample> SpotLight::sample(const LightReceiver& at, const V2f&,
+                                             const SampledWavelengths& lambda) const {
     LightSample sample;
-    sample.shadow = shadowTo(position_, p);
+    sample.shadow = shadowTo(position_, at.p);
     const double distance2 = sample.shadow.d.length2();
     if (!(distance2 > 0)) return {};
     const double part = falloff(spotFromWorld_.vector(-sample.shadow.d).normalized().z);

@@ -40,7 +40,9 @@ class SpotLight final : public Light {
 
     SampledSpectrum power(const SampledWavelengths& lambda) const override;
     Box3d bounds() const override { return Box3d(position_); }
-    std::optional<LightSample> sample(const V3d& p, const V2f& u, const SampledWavelengths& lambda) const override;
+    LightBounds partBounds(unsigned part) const override;
+    std::optional<LightSample> sample(const LightReceiver& at, const V2f& u,
+                                      const SampledWavelengths& lambda) const override;
     std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection,
                                       const SampledWavelengths& lambda) const override;
     bool isDelta() const override { return true; }

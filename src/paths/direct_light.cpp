@@ -4,12 +4,19 @@
 
 namespace vitrine {
 
+LightReceiver receiverAt(const Vertex& vertex, const Bsdf& bsdf) {
+    // The BSDFs take sides by the shading normal.
+    const V3f& n = vertex.frame.n;
+    if (bsdf.lobes() & lobe::transmission) return {vertex.point().p};
+    return {vertex.point().p, n.dot(vertex.wo) < 0 ? -n : n};
+}
+
 SampledSpectrum emittedLight(const World& world, const Walk& walk, const Vertex& vertex, const LastBounce& last) {
     const AreaLight* light = vertex.surface->light;
     if (!light) return SampledSpectrum(0.f);
     const SampledSpectrum emitted = light->emitted(vertex.point(), vertex.wo, walk.lambda());
     if (last.specular || emitted.isBlack()) return emitted;
-    const float pdf = world.lights.probability(light) * light->pdf(last.p, vertex.hit.primitive, vertex.point());
+    const float pdf = world.lights.pdf(last.at, *light, vertex.hit.primitive, vertex.point());
     return emitted * powerHeuristic(last.pdf, pdf);
 }
 
@@ -17,8 +24,7 @@ SampledSpectrum escapedLight(const World& world, const Walk& walk, const LastBou
     const V3f w = toFloat(walk.ray.d);
     SampledSpectrum sum(0.f);
     for (const Light* light : world.infiniteLights) {
-        const float weight =
-            last.specular ? 1.f : powerHeuristic(last.pdf, world.lights.probability(light) * light->pdf(w));
+        const float weight = last.specular ? 1.f : powerHeuristic(last.pdf, world.lights.pdf(*light, w));
         sum += light->escaped(w, walk.lambda()) * weight;
     }
     return sum;
@@ -26,8 +32,7 @@ SampledSpectrum escapedLight(const World& world, const Walk& walk, const LastBou
 
 SampledSpectrum directLight(const World& world, const Walk& walk, const Vertex& vertex, const Bsdf& bsdf, float uLight,
                             const V2f& u) {
-    const auto chosen = world.lights.sample(uLight);
-    const auto light = chosen.light->sample(vertex.point().p, u, walk.lambda());
+    const auto light = world.lights.sample(receiverAt(vertex, bsdf), uLight, u, walk.lambda());
     if (!light) return SampledSpectrum(0.f);
     const V3f wo = vertex.frame.toLocal(vertex.wo), wi = vertex.frame.toLocal(light->wi);
     const SampledSpectrum f = bsdf.f(wo, wi, TransportMode::Radiance) * std::abs(wi.z);
@@ -35,9 +40,8 @@ SampledSpectrum directLight(const World& world, const Walk& walk, const Vertex& 
     const SampledSpectrum arriving =
         light->l * shadowTransmittance(world, vertex, light->shadow, light->wi, walk.interior(), walk.lambda());
     if (arriving.isBlack()) return SampledSpectrum(0.f);
-    const float pdfLight = chosen.probability * light->pdf;
-    const float weight = light->isDelta ? 1.f : powerHeuristic(pdfLight, bsdf.pdf(wo, wi, TransportMode::Radiance));
-    return f * arriving * (weight / pdfLight);
+    const float weight = light->isDelta ? 1.f : powerHeuristic(light->pdf, bsdf.pdf(wo, wi, TransportMode::Radiance));
+    return f * arriving * (weight / light->pdf);
 }
 
 } // namespace vitrine

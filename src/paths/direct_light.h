@@ -7,10 +7,13 @@ namespace vitrine {
 
 /// The last scattering of an eye path, for weighing light that the path then runs into.
 struct LastBounce {
-    V3d p{0, 0, 0};
+    LightReceiver at;
     float pdf = 0;        ///< per solid angle
     bool specular = true; ///< also for the camera, and where no light was asked for: nothing competes
 };
+
+/// A vertex as what asks for light: where nothing passes through the surface, only what lies before it can shine on it.
+LightReceiver receiverAt(const Vertex& vertex, const Bsdf& bsdf);
 
 /// Radiance from the surface met, towards the eye; not times the path's throughput.
 SampledSpectrum emittedLight(const World& world, const Walk& walk, const Vertex& vertex, const LastBounce& last);

@@ -19,7 +19,7 @@ struct EyePaths::Path {
     Walk walk;
     int hero;
     std::uint32_t firstDimension;
-    int depth = 0;       ///< scattering events so far
+    int depth = 0; ///< scattering events so far
     int forks = 0;
     float branch = 1; ///< share of the light that this branch carries
     LastBounce last{};
@@ -126,12 +126,12 @@ void EyePaths::follow(Path path, SampleStream& stream, std::vector<GatherPoint>&
             if (!back || back->transmission) break;
             walk.beta *= back->pdf;
             path.branch *= back->pdf;
-            path.last = {vertex.point().p, back->pdf, true};
+            path.last = {receiverAt(vertex, bsdf), back->pdf, true};
             continue;
         }
         const auto scattered = walk.scatter(vertex, bsdf, uLobe, uDirection);
         if (!scattered) break;
-        path.last = {vertex.point().p, scattered->pdf, scattered->specular};
+        path.last = {receiverAt(vertex, bsdf), scattered->pdf, scattered->specular};
         if (path.ends && !lightReach_.mayMeet(walk.ray)) break;
     }
     lostExits += std::uint64_t(walk.lostExits() - lostBefore);

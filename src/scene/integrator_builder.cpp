@@ -31,10 +31,18 @@ int maxDepth(const ParameterSet& p, int otherwise) {
     return depth;
 }
 
-/// How lights are chosen. A hierarchy over lights (pbrt-v4's "bvh") is not here: power serves in its place.
+/// How lights are chosen. pbrt-v4's "exhaustive" weighs every light as its "bvh" weighs groups of them: the tree serves.
 LightSampler::Choice lightChoice(const ParameterSet& p) {
-    const std::string name = p.getChoice("lightsampler", "power", {"uniform", "power", "bvh", "exhaustive"});
-    return name == "uniform" ? LightSampler::Choice::Uniform : LightSampler::Choice::Power;
+    if (!p.has("lightsampler")) return LightSampler::Choice::Fitting;
+    const std::string name = p.getChoice("lightsampler", "bvh", {"uniform", "power", "bvh", "exhaustive"});
+    if (name == "uniform") return LightSampler::Choice::Uniform;
+    return name == "power" ? LightSampler::Choice::Power : LightSampler::Choice::Tree;
+}
+
+/// Of an integrator that only starts paths at lights: no tree.
+LightSampler::Choice startChoice(const ParameterSet& p) {
+    return lightChoice(p) == LightSampler::Choice::Uniform ? LightSampler::Choice::Uniform
+                                                           : LightSampler::Choice::Power;
 }
 
 /// Of photon integrators, if the scene gives them.
@@ -52,7 +60,7 @@ IntegratorPlan path(const ParameterSet& p, const Sampling& sampling) {
     s.regularize = p.getBool("regularize", s.regularize);
     s.nee = p.getBool("nee", s.nee);
     if (s.rrDepth < 0) p.error("rrdepth", "\"rrdepth\" must not be negative");
-    return {std::make_unique<PathIntegrator>(s, sampling.settings), {lightChoice(p), false}, {}};
+    return {std::make_unique<PathIntegrator>(s, sampling.settings), {lightChoice(p), false, {}}, {}};
 }
 
 std::int64_t pathsPerPass(const ParameterSet& p) {
@@ -85,13 +93,15 @@ IntegratorPlan lightPath(const ParameterSet& p, const Sampling& sampling) {
     LightTracingSettings s;
     s.maxDepth = maxDepth(p, s.maxDepth);
     s.pathsPerPass = pathsPerPass(p);
-    return {std::make_unique<LightTracingIntegrator>(s, withOwnSeed(p, sampling)), {lightChoice(p), true}, passes(p)};
+    return {
+        std::make_unique<LightTracingIntegrator>(s, withOwnSeed(p, sampling)), {startChoice(p), true, {}}, passes(p)};
 }
 
 IntegratorPlan sppm(const ParameterSet& p, const Sampling& sampling) {
     PhotonMappingSettings s = photonMapping(p);
     s.search = p.getChoice("lookup", "grid", {"grid", "naive"}) == "grid" ? PhotonSearch::Grid : PhotonSearch::Naive;
-    return {std::make_unique<PhotonMappingIntegrator>(s, withOwnSeed(p, sampling)), {lightChoice(p), true}, passes(p)};
+    return {
+        std::make_unique<PhotonMappingIntegrator>(s, withOwnSeed(p, sampling)), {lightChoice(p), true, {}}, passes(p)};
 }
 
 IntegratorPlan ppm(const ParameterSet& p, const Sampling& sampling) {
@@ -102,7 +112,8 @@ IntegratorPlan ppm(const ParameterSet& p, const Sampling& sampling) {
         p.error("hitpointsperpixel", "\"hitpointsperpixel\" must lie between 1 and 4096");
     const std::string lookup = p.getChoice("lookup", "grid", {"grid", "kdtree", "naive"});
     s.search = lookup == "grid" ? PhotonSearch::Grid : lookup == "kdtree" ? PhotonSearch::Tree : PhotonSearch::Naive;
-    return {std::make_unique<PhotonMappingIntegrator>(s, withOwnSeed(p, sampling)), {lightChoice(p), true}, passes(p)};
+    return {
+        std::make_unique<PhotonMappingIntegrator>(s, withOwnSeed(p, sampling)), {lightChoice(p), true, {}}, passes(p)};
 }
 
 using IntegratorBuilder = IntegratorPlan (*)(const ParameterSet&, const Sampling&);
@@ -128,7 +139,10 @@ IntegratorPlan buildIntegrator(BuildContext& context, const Overrides& overrides
     const Sampling sampling{sampler, overrides.seed.has_value()};
     if (overrides.integrator.empty() || overrides.integrator == written.type)
         return context.guarded(written, [&] {
-            return findBuilder<IntegratorBuilder>(integratorTypes, written, "integrator")(written.parameters, sampling);
+            auto plan =
+                findBuilder<IntegratorBuilder>(integratorTypes, written, "integrator")(written.parameters, sampling);
+            plan.lights.integrator = written.typePlace ? written.typePlace : written.place;
+            return plan;
         });
 
     // The command line's type keeps the scene's parameters that it knows and names those that it drops.

@@ -206,9 +206,8 @@ class WorldBuilder {
     void warnOfBeams(const SceneSphere& beams) {
         const auto isFromInfinity = [](const LightPtr& light) { return light->bounds().isEmpty(); };
         if (std::none_of(lights_.begin(), lights_.end(), isFromInfinity)) return;
-        const Node& integrator = context_.nodes().integrator;
         context_.diagnostics().warning(
-            integrator.typePlace ? integrator.typePlace : integrator.place,
+            lightUse_.integrator,
             fmt::format("photons of lights at infinity reach surfaces without end only within {:.4g} units of "
                         "({:.4g}, {:.4g}, {:.4g}): what lies further out sends no light on",
                         beams.radius, beams.center.x, beams.center.y, beams.center.z),

@@ -10,6 +10,7 @@ namespace vitrine {
 struct LightUse {
     LightSampler::Choice choice = LightSampler::Choice::Power;
     bool startsPaths = false; ///< at the lights
+    Place integrator;         ///< where it stands; none if it is the command line's
 };
 
 /// Everything but the camera. Shapes that are wrong are left out and recorded in the context's diagnostics.

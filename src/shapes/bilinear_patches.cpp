@@ -140,22 +140,19 @@ double BilinearPatches::primitiveArea(unsigned prim) const {
         16);
 }
 
-std::optional<ShapeSample> BilinearPatches::sample(const V2f& u) const {
-    V2f within = u;
+PrimitiveHit BilinearPatches::drawPoint(unsigned prim, const V2f& u) const {
+    const V2d at = cornerWeights(corners(prim)).sample(u);
     PrimitiveHit hit;
-    hit.prim = drawPrimitive(within);
-    const V2d at = cornerWeights(corners(hit.prim)).sample(within);
+    hit.prim = prim;
     hit.u = at.x;
     hit.v = at.y;
-    const float density = pdf(hit);
-    if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
-    return ShapeSample{pointAt(Ray{}, hit), density};
+    return hit;
 }
 
-float BilinearPatches::pdf(const PrimitiveHit& hit) const {
+double BilinearPatches::density(double probability, const PrimitiveHit& hit) const {
     const Corners c = corners(hit.prim);
     const V2d at(hit.u, hit.v);
-    return float(drawProbability(hit.prim) * cornerWeights(c).pdf(at) / areaVector(c, at).length());
+    return probability * cornerWeights(c).pdf(at) / areaVector(c, at).length();
 }
 
 } // namespace vitrine

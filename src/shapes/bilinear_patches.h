@@ -14,16 +14,14 @@ class BilinearPatches final : public MeshShape {
 
     bool intersect(unsigned prim, const Ray& ray, double sMin, double sMax, PrimitiveHit& hit) const override;
     SurfacePoint pointAt(const Ray& ray, const PrimitiveHit& hit) const override;
-    /// By area to first order: a patch by its area, within it by the area elements at its corners.
-    using Shape::sample;
-    std::optional<ShapeSample> sample(const V2f& u) const override;
-    using Shape::pdf;
-    float pdf(const PrimitiveHit& hit) const override;
 
   protected:
     unsigned verticesPerFace() const override { return 4; }
     void outline(unsigned prim, std::uint32_t corners[4]) const override;
     double primitiveArea(unsigned prim) const override;
+    /// By area to first order: by the area elements at its corners.
+    PrimitiveHit drawPoint(unsigned prim, const V2f& u) const override;
+    double density(double probability, const PrimitiveHit& hit) const override;
 
   private:
     struct Corners {

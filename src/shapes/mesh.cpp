@@ -33,6 +33,40 @@ double MeshShape::drawProbability(unsigned prim) const {
     return primitiveCount() == 1 ? 1 : areas().table.probability(int(prim));
 }
 
+std::optional<ShapeSample> MeshShape::sampleOn(unsigned prim, double probability, const V2f& u) const {
+    const PrimitiveHit hit = drawPoint(prim, u);
+    const auto pdf = float(density(probability, hit));
+    if (!(pdf > 0) || !std::isfinite(pdf)) return std::nullopt;
+    return ShapeSample{pointAt(Ray{}, hit), pdf};
+}
+
+std::optional<ShapeSample> MeshShape::sample(const V2f& u) const {
+    V2f within = u;
+    const unsigned prim = drawPrimitive(within);
+    return sampleOn(prim, drawProbability(prim), within);
+}
+
+ShapePart MeshShape::part(unsigned part) const {
+    ShapePart result{bounds(part), primitiveArea(part), {}};
+    // Given normals say which side of a flat primitive is out. They are mixed from those at the corners: where these
+    // agree, so do all.
+    const std::vector<PrimitiveHit> corners = flatCorners(part);
+    if (corners.empty()) return result;
+    const V3f ng = pointAt(Ray{}, corners[0]).ng;
+    for (const PrimitiveHit& corner : corners)
+        if (pointAt(Ray{}, corner).ng.dot(ng) < 0) return result;
+    result.normals = DirectionCone::about(toDouble(ng));
+    return result;
+}
+
+std::optional<ShapeSample> MeshShape::samplePart(unsigned part, const V3d& from, const V2f& u) const {
+    return primitiveCount() == 1 ? sample(from, u) : seen(sampleOn(part, 1, u), from);
+}
+
+float MeshShape::partPdf(const V3d& from, const PrimitiveHit& hit, const SurfacePoint& point) const {
+    return primitiveCount() == 1 ? pdf(from, hit, point) : seenPdf(float(density(1, hit)), from, point);
+}
+
 bool MeshShape::isClosed() const {
     std::call_once(closedKnown_, [&] {
         MeshTopology topology(mesh());

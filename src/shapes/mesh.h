@@ -71,9 +71,14 @@ class MeshShape : public Shape {
     double area() const final { return areas().total; }
     using Shape::pdf;
     /// 1/area but for the rounding of the probabilities with which primitives are drawn.
-    float pdf(const PrimitiveHit& hit) const override {
-        return float(drawProbability(hit.prim) / primitiveArea(hit.prim));
-    }
+    float pdf(const PrimitiveHit& hit) const final { return float(density(drawProbability(hit.prim), hit)); }
+    using Shape::sample;
+    /// A primitive by its area, then a point of it.
+    std::optional<ShapeSample> sample(const V2f& u) const final;
+    unsigned partCount() const final { return primitiveCount(); }
+    ShapePart part(unsigned part) const final;
+    std::optional<ShapeSample> samplePart(unsigned part, const V3d& from, const V2f& u) const final;
+    float partPdf(const V3d& from, const PrimitiveHit& hit, const SurfacePoint& point) const final;
     bool isClosed() const final;
     std::size_t memoryBytes() const override;
 
@@ -85,17 +90,29 @@ class MeshShape : public Shape {
     /// Corners in order around the face.
     virtual void outline(unsigned prim, std::uint32_t corners[4]) const = 0;
     virtual double primitiveArea(unsigned prim) const = 0;
+    /// A point of a primitive, by area or roughly so.
+    virtual PrimitiveHit drawPoint(unsigned prim, const V2f& u) const = 0;
+    /// Of drawPoint to give the hit, per area, times the probability that its primitive is drawn.
+    virtual double density(double probability, const PrimitiveHit& hit) const {
+        return probability / primitiveArea(hit.prim);
+    }
+    /// Hits at the corners of a flat primitive; empty for bent ones.
+    virtual std::vector<PrimitiveHit> flatCorners(unsigned prim) const {
+        return (void)prim, std::vector<PrimitiveHit>();
+    }
 
     const MeshVertices& mesh() const { return *vertices_; }
     const std::uint32_t* face(unsigned prim) const { return &indices_[std::size_t(prim) * verticesPerFace()]; }
     V3d corner(std::uint32_t vertex) const { return toDouble(mesh().p[vertex]); }
 
+  private:
     /// Draws a primitive by its area and makes u.x fresh again.
     unsigned drawPrimitive(V2f& u) const;
     /// The probability with which drawPrimitive draws it.
     double drawProbability(unsigned prim) const;
+    /// Of a point of a primitive that was drawn with this probability.
+    std::optional<ShapeSample> sampleOn(unsigned prim, double probability, const V2f& u) const;
 
-  private:
     struct Areas {
         double total = 0;
         AliasTable table; ///< of more than one primitive

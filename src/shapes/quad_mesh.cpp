@@ -175,28 +175,27 @@ double QuadMesh::primitiveArea(unsigned prim) const {
     return quadNormal(corners(prim).p).length() / 2;
 }
 
-std::optional<ShapeSample> QuadMesh::sample(const V2f& u) const {
-    V2f within = u;
+PrimitiveHit QuadMesh::drawPoint(unsigned prim, const V2f& u) const {
     PrimitiveHit hit;
-    hit.prim = drawPrimitive(within);
-    const auto [p] = corners(hit.prim);
-    const bool ready = !facets_.empty();
-    if (ready ? facets_[hit.prim].isParallelogram : facet(hit.prim).isParallelogram) {
-        hit.u = within.x;
-        hit.v = within.y;
-    } else {
-        // The two triangles by their areas.
-        const double first = (p[1] - p[0]).cross(p[3] - p[0]).length();
-        const double second = (p[3] - p[2]).cross(p[1] - p[2]).length(), share = first / (first + second);
-        const bool inFirst = within.x < share;
-        within.x = float(inFirst ? within.x / share : (within.x - share) / (1 - share));
-        within.x = std::min(within.x, 1 - 0x1p-24f);
-        const V2f b = sampleUniformTriangle(within);
-        const double b1 = b.x, b2 = b.y;
-        hit.u = inFirst ? b1 : 1 - b1;
-        hit.v = inFirst ? b2 : 1 - b2;
-    }
-    return ShapeSample{pointAt(Ray{}, hit), pdf(hit)};
+    hit.prim = prim;
+    hit.u = u.x;
+    hit.v = u.y;
+    if (facets_.empty() ? facet(prim).isParallelogram : facets_[prim].isParallelogram) return hit;
+    // The two triangles by their areas.
+    const auto [p] = corners(prim);
+    const double first = (p[1] - p[0]).cross(p[3] - p[0]).length();
+    const double second = (p[3] - p[2]).cross(p[1] - p[2]).length(), share = first / (first + second);
+    const bool inFirst = u.x < share;
+    const auto within = float(inFirst ? u.x / share : (u.x - share) / (1 - share));
+    const V2f b = sampleUniformTriangle(V2f(std::min(within, 1 - 0x1p-24f), u.y));
+    const double b1 = b.x, b2 = b.y;
+    hit.u = inFirst ? b1 : 1 - b1;
+    hit.v = inFirst ? b2 : 1 - b2;
+    return hit;
+}
+
+std::vector<PrimitiveHit> QuadMesh::flatCorners(unsigned prim) const {
+    return {{infinityD, 0, 0, prim}, {infinityD, 1, 0, prim}, {infinityD, 1, 1, prim}, {infinityD, 0, 1, prim}};
 }
 
 std::optional<SphericalRectangle> QuadMesh::seenRectangle(const V3d& from) const {

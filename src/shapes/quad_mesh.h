@@ -18,11 +18,11 @@ class QuadMesh final : public MeshShape {
     bool intersect(unsigned prim, const Ray& ray, double sMin, double sMax, PrimitiveHit& hit) const override;
     bool solve(unsigned prim, const Ray& ray, PrimitiveHit& hit) const override;
     SurfacePoint pointAt(const Ray& ray, const PrimitiveHit& hit) const override;
-    std::optional<ShapeSample> sample(const V2f& u) const override;
+    using MeshShape::sample;
     /// A single rectangle that is near is sampled by its solid angle (Urena, Fajardo & King 2013). Seen from afar all its
     /// points are about alike, and sampling by area is several times quicker.
     std::optional<ShapeSample> sample(const V3d& from, const V2f& u) const override;
-    using Shape::pdf;
+    using MeshShape::pdf;
     float pdf(const V3d& from, const PrimitiveHit& hit, const SurfacePoint& point) const override;
     std::size_t memoryBytes() const override;
 
@@ -30,6 +30,8 @@ class QuadMesh final : public MeshShape {
     unsigned verticesPerFace() const override { return 4; }
     void outline(unsigned prim, std::uint32_t corners[4]) const override { std::copy_n(face(prim), 4, corners); }
     double primitiveArea(unsigned prim) const override;
+    PrimitiveHit drawPoint(unsigned prim, const V2f& u) const override;
+    std::vector<PrimitiveHit> flatCorners(unsigned prim) const override;
 
   private:
     struct Corners {

@@ -2,6 +2,7 @@
 // holds its own worldFromObject where it needs one.
 #pragma once
 
+#include "core/direction_cone.h"
 #include "core/ray.h"
 #include "core/transform.h"
 #include "core/vec.h"
@@ -37,6 +38,13 @@ struct SurfacePoint {
 struct ShapeSample {
     SurfacePoint point; ///< p, error, ng, uv are set; derivatives need not be
     float pdf = 0;      ///< per area or per solid angle, as the call says
+};
+
+/// A part of a shape that light sampling may choose by itself.
+struct ShapePart {
+    Box3d bounds;
+    double area = 0;
+    DirectionCone normals; ///< geometric ones, as pointAt says which side is out
 };
 
 /// How the ray caster treats a shape.
@@ -89,10 +97,28 @@ class Shape {
     /// Density of sample(from, u), per solid angle, of the point `point` (a hit of a ray from `from`).
     virtual float pdf(const V3d& from, const PrimitiveHit& hit, const SurfacePoint& point) const;
 
+    /// Into how many parts light sampling may divide the shape. With more than one, a point's part is the primitive it lies
+    /// on.
+    virtual unsigned partCount() const { return 1; }
+    virtual ShapePart part(unsigned part) const { return (void)part, ShapePart{bounds(), area(), {}}; }
+    /// A point of one part as seen from `from`, density per solid angle there.
+    virtual std::optional<ShapeSample> samplePart(unsigned part, const V3d& from, const V2f& u) const {
+        return (void)part, sample(from, u);
+    }
+    /// Density of samplePart(part of the hit, from, u), per solid angle, as pdf(from, hit, point) is sample's.
+    virtual float partPdf(const V3d& from, const PrimitiveHit& hit, const SurfacePoint& point) const {
+        return pdf(from, hit, point);
+    }
+
     /// True when normals point out of a solid that the surface bounds (sphere, box, closed mesh or profile); a
     /// dielectric on a shape that is not closed deserves a warning.
     virtual bool isClosed() const { return false; }
     virtual std::size_t memoryBytes() const { return sizeof(*this); }
+
+  protected:
+    /// Density per area turned into density per solid angle at `from`; empty where that is none.
+    static std::optional<ShapeSample> seen(std::optional<ShapeSample> byArea, const V3d& from);
+    static float seenPdf(float pdfArea, const V3d& from, const SurfacePoint& point);
 };
 
 using ShapePtr = std::shared_ptr<const Shape>;

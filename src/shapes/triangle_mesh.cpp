@@ -125,15 +125,17 @@ double TriangleMesh::primitiveArea(unsigned prim) const {
     return (p1 - p0).cross(p2 - p0).length() / 2;
 }
 
-std::optional<ShapeSample> TriangleMesh::sample(const V2f& u) const {
-    V2f within = u;
-    const unsigned prim = drawPrimitive(within);
-    const V2f b = sampleUniformTriangle(within);
+PrimitiveHit TriangleMesh::drawPoint(unsigned prim, const V2f& u) const {
+    const V2f b = sampleUniformTriangle(u);
     PrimitiveHit hit;
     hit.prim = prim;
     hit.u = b.y;
     hit.v = 1 - double(b.x) - double(b.y);
-    return ShapeSample{pointAt(Ray{}, hit), pdf(hit)};
+    return hit;
+}
+
+std::vector<PrimitiveHit> TriangleMesh::flatCorners(unsigned prim) const {
+    return {{infinityD, 0, 0, prim}, {infinityD, 1, 0, prim}, {infinityD, 0, 1, prim}};
 }
 
 std::size_t TriangleMesh::memoryBytes() const {

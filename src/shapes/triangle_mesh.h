@@ -16,14 +16,14 @@ class TriangleMesh final : public MeshShape {
     GeometryKind kind() const override { return GeometryKind::Triangles; }
     bool intersect(unsigned prim, const Ray& ray, double sMin, double sMax, PrimitiveHit& hit) const override;
     SurfacePoint pointAt(const Ray& ray, const PrimitiveHit& hit) const override;
-    using Shape::sample;
-    std::optional<ShapeSample> sample(const V2f& u) const override;
     std::size_t memoryBytes() const override;
 
   protected:
     unsigned verticesPerFace() const override { return 3; }
     void outline(unsigned prim, std::uint32_t corners[4]) const override { std::copy_n(face(prim), 3, corners); }
     double primitiveArea(unsigned prim) const override;
+    PrimitiveHit drawPoint(unsigned prim, const V2f& u) const override;
+    std::vector<PrimitiveHit> flatCorners(unsigned prim) const override;
 
   private:
     struct Corners {
