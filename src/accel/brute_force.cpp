@@ -1,5 +1,5 @@
 // The oracle: every primitive in turn.
-#include "accel/instance.h"
+#include "accel/candidate.h"
 
 namespace vitrine {
 
@@ -18,9 +18,10 @@ class BruteForceCaster final : public Caster {
     bool intersect(const Ray& ray, CasterHit& hit) const override {
         hit = CasterHit{};
         if (!canHit(ray)) return false;
-        intersectShapes(input_.shapes, CasterHit::noInstance, ray, hit);
+        intersectShapes(input_.shapes, CastRay(ray), hit);
         for (std::uint32_t i = 0; i < placed_.size(); ++i)
-            intersectShapes(input_.groups[placed_[i].group()], i, placed_[i].toInstance(ray), hit);
+            intersectShapes(input_.groups[placed_[i].group()], CastRay(ray, placed_[i].toInstance(ray), i, placed_[i]),
+                            hit);
         if (!hit.shape) return false;
         const bool instanced = hit.instance != CasterHit::noInstance;
         hit.point = hit.shape->pointAt(instanced ? placed_[hit.instance].toInstance(ray) : ray, hit.primitive);
@@ -30,28 +31,29 @@ class BruteForceCaster final : public Caster {
 
     bool occluded(const Ray& ray) const override {
         if (!canHit(ray)) return false;
-        if (shapesOcclude(input_.shapes, ray)) return true;
-        return std::any_of(placed_.begin(), placed_.end(), [&](const Placed& placed) {
-            return shapesOcclude(input_.groups[placed.group()], placed.toInstance(ray));
-        });
+        if (shapesOcclude(input_.shapes, CastRay(ray))) return true;
+        for (std::uint32_t i = 0; i < placed_.size(); ++i)
+            if (shapesOcclude(input_.groups[placed_[i].group()],
+                              CastRay(ray, placed_[i].toInstance(ray), i, placed_[i])))
+                return true;
+        return false;
     }
 
     Box3d bounds() const override { return bounds_; }
     std::size_t memoryBytes() const override { return sizeof(*this); }
 
   private:
-    static void intersectShapes(const std::vector<CasterShape>& shapes, std::uint32_t instance, const Ray& ray,
-                                CasterHit& best) {
+    static void intersectShapes(const std::vector<CasterShape>& shapes, const CastRay& ray, CasterHit& best) {
         for (const CasterShape& entry : shapes)
             for (unsigned prim = 0; prim < entry.shape->primitiveCount(); ++prim)
-                tryPrimitive(*entry.shape, entry.id, prim, instance, ray, ray.tMax, best);
+                tryPrimitive({entry, prim}, ray, ray.world.tMax, best);
     }
 
-    static bool shapesOcclude(const std::vector<CasterShape>& shapes, const Ray& ray) {
+    static bool shapesOcclude(const std::vector<CasterShape>& shapes, const CastRay& ray) {
         for (const CasterShape& entry : shapes)
             if (entry.castsShadow)
                 for (unsigned prim = 0; prim < entry.shape->primitiveCount(); ++prim)
-                    if (entry.shape->occludes(prim, ray, 0, ray.tMax)) return true;
+                    if (occludes({entry, prim}, ray)) return true;
         return false;
     }
 

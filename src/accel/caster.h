@@ -1,7 +1,7 @@
 // The ray caster's face: closest hit and any hit over shapes and instances of groups of shapes.
 #pragma once
 
-#include "shapes/shape.h"
+#include "accel/cutout.h"
 
 #include <vector>
 
@@ -13,6 +13,7 @@ struct CasterShape {
     std::uint32_t id = 0;
     /// Whether shadow rays stop here (false for surfaces with an "interface" material).
     bool castsShadow = true;
+    CutoutPtr cutout = nullptr; ///< null: no holes
 };
 
 /// A group of shapes that lies where worldFromInstance puts it (pbrt's ObjectInstance).

@@ -1,5 +1,6 @@
 // Embree finds candidates in single precision; what is reported is solved in double from the double ray.
 #include "accel/embree_group.h"
+#include "accel/embree_hit.h"
 #include "shapes/facet.h"
 
 namespace vitrine {
@@ -197,45 +198,25 @@ bool EmbreeCaster::intersect(const Ray& ray, CasterHit& hit) const {
     return true;
 }
 
-void keepIfFirst(const PrimitiveRef& ref, std::uint32_t instance, const PrimitiveHit& hit, Query& query) {
-    CasterHit& best = *query.best;
-    if (!(hit.s < query.ray->tMax) || !comesBefore(hit.s, instance, ref.id, ref.prim, best)) return;
-    best.s = hit.s;
-    best.id = ref.id;
-    best.instance = instance;
-    best.shape = ref.shape;
-    best.primitive = hit;
+void keepIfFirst(const PrimitiveRef& ref, std::uint32_t instance, const PrimitiveHit& hit, const Query& query) {
+    if (hit.s < query.ray->tMax) vitrine::keepIfFirst(*ref.shape, ref.id, instance, hit, *query.best);
 }
 
 /// Weighs Embree's hit against the best so far, both in double. False when in double it lies behind the origin: then
-/// Embree has to go on from there.
+/// Embree has to go on from there. (A face with holes was asked whether it is there before, by keepCrossing.)
 bool EmbreeCaster::takeMeshHit(Query& query, const RTCRayHit& found) const {
     const std::uint32_t instance = query.instanceOf(found.hit.instID[0]);
     const Group& group = instance == CasterHit::noInstance ? *world_ : *groups_[placed_[instance].group()];
     const PrimitiveRef ref = group.find(found.hit.geomID, found.hit.primID);
     const Ray& ray = query.rayIn(instance);
     PrimitiveHit hit;
-    if (!ref.shape->solve(ref.prim, ray, hit)) {
-        // The double ray passes just beside the primitive, on whose edge Embree let no ray slip through; or the
-        // crossing lies behind.
-        double u = std::clamp(double(found.hit.u), 0., 1.), v = std::clamp(double(found.hit.v), 0., 1.);
-        if (ref.shape->kind() == GeometryKind::Triangles || ref.farHalf) v = std::min(v, 1 - u);
-        hit.prim = ref.prim;
-        hit.u = ref.farHalf ? 1 - u : u;
-        hit.v = ref.farHalf ? 1 - v : v;
-        const SurfacePoint point = ref.shape->pointAt(ray, hit);
-        const V3d way = point.p - ray.o, n = toDouble(point.ng);
-        const double slope = n.dot(ray.d);
-        // In front only if the plane is, by more than the rounding of n: the point is as far from the ray as Embree's (u,v)
-        // are wrong, which at a crossing in the origin is all the way there is.
-        if (!(n.dot(way) * slope > 0x1p-22 * way.length() * std::abs(slope))) return false;
-        hit.s = way.dot(ray.d) / ray.d.length2();
-        if (!(hit.s > 0)) return false;
-    }
+    if (!solveFound(ref, ray, found.hit.u, found.hit.v, hit)) return false;
     keepIfFirst(ref, instance, hit, query);
     if (ref.rivals)
         for (const PrimitiveRef& rival : group.rivalsOf(ref, found.hit.geomID))
-            if (rival.shape->intersect(rival.prim, ray, 0, infinityD, hit) && rival.shape->solve(rival.prim, ray, hit))
+            if (rival.shape->intersect(rival.prim, ray, 0, infinityD, hit) &&
+                rival.shape->solve(rival.prim, ray, hit) &&
+                (!rival.cutout || isThere(candidate(rival), castRay(query, instance), hit, 0)))
                 keepIfFirst(rival, instance, hit, query);
     return true;
 }
@@ -260,29 +241,30 @@ void EmbreeCaster::describe(const Ray& ray, CasterHit& hit) const {
 }
 
 void EmbreeCaster::intersectUnbounded(const Ray& ray, CasterHit& best) const {
-    const auto tryAll = [&](const Group& group, std::uint32_t instance, const Ray& local) {
+    const auto tryAll = [&](const Group& group, const CastRay& castRay) {
         for (const CasterShape& entry : group.unbounded())
             for (unsigned prim = 0; prim < entry.shape->primitiveCount(); ++prim)
-                tryPrimitive(*entry.shape, entry.id, prim, instance, local, ray.tMax, best);
+                tryPrimitive({entry, prim}, castRay, ray.tMax, best);
     };
-    tryAll(*world_, CasterHit::noInstance, ray);
+    tryAll(*world_, CastRay(ray));
     for (std::uint32_t i = 0; i < placed_.size(); ++i)
         if (const Group& group = *groups_[placed_[i].group()]; !group.unbounded().empty())
-            tryAll(group, i, placed_[i].toInstance(ray));
+            tryAll(group, CastRay(ray, placed_[i].toInstance(ray), i, placed_[i]));
 }
 
 bool EmbreeCaster::unboundedOcclude(const Ray& ray) const {
-    const auto anyOccludes = [&](const Group& group, const Ray& local) {
+    const auto anyOccludes = [&](const Group& group, const CastRay& castRay) {
         for (const CasterShape& entry : group.unbounded())
             for (unsigned prim = 0; entry.castsShadow && prim < entry.shape->primitiveCount(); ++prim)
-                if (entry.shape->occludes(prim, local, 0, ray.tMax)) return true;
+                if (occludes({entry, prim}, castRay)) return true;
         return false;
     };
-    if (anyOccludes(*world_, ray)) return true;
-    return std::any_of(placed_.begin(), placed_.end(), [&](const Placed& placed) {
-        const Group& group = *groups_[placed.group()];
-        return !group.unbounded().empty() && anyOccludes(group, placed.toInstance(ray));
-    });
+    if (anyOccludes(*world_, CastRay(ray))) return true;
+    for (std::uint32_t i = 0; i < placed_.size(); ++i)
+        if (const Group& group = *groups_[placed_[i].group()];
+            !group.unbounded().empty() && anyOccludes(group, CastRay(ray, placed_[i].toInstance(ray), i, placed_[i])))
+            return true;
+    return false;
 }
 
 bool EmbreeCaster::occluded(const Ray& ray) const {

@@ -1,5 +1,7 @@
 #include "accel/embree_group.h"
 
+#include "accel/embree_hit.h"
+
 namespace vitrine::embree {
 
 namespace {
@@ -47,10 +49,12 @@ struct Group::Merged {
     std::vector<std::uint32_t> indices;
     std::vector<PrimitiveRef> table;
     std::optional<CoincidentFaces> coincident;
+    bool anyCutout = false;
 
     void add(const Group& group, const CasterShape& entry) {
         const Shape& shape = *entry.shape;
         const unsigned from = shape.kind() == GeometryKind::Quads ? 4 : 3;
+        anyCutout |= entry.cutout != nullptr;
         for (unsigned prim = 0; prim < shape.primitiveCount(); ++prim) {
             const std::uint32_t* v = shape.indices() + std::size_t(prim) * from;
             const auto addFace = [&](std::initializer_list<int> order, bool farHalf) {
@@ -58,7 +62,7 @@ struct Group::Merged {
                     indices.push_back(std::uint32_t(corners.size()));
                     corners.push_back(group.moved(shape.vertices() + 3 * std::size_t(v[k])));
                 }
-                table.push_back(PrimitiveRef{&shape, entry.id, prim, farHalf, 0});
+                table.push_back(PrimitiveRef{&shape, entry.id, prim, farHalf, 0, entry.cutout.get()});
             };
             if (perFace == 4 && from == 4)
                 addFace({0, 1, 2, 3}, false);
@@ -100,7 +104,7 @@ struct Group::Analytic {
         auto& rayHit = *reinterpret_cast<RTCRayHit*>(args->rayhit);
         const std::uint32_t instance = query.instanceOf(args->context->instID[0]);
         const double sMax = std::min(query.ray->tMax, query.upperEnd(rayHit.ray.tfar));
-        if (!tryPrimitive(*ref.shape, ref.id, ref.prim, instance, query.rayIn(instance), sMax, *query.best)) return;
+        if (!tryPrimitive(candidate(ref), castRay(query, instance), sMax, *query.best)) return;
         const float far = query.farEnd(query.best->s);
         if (!(far < rayHit.ray.tfar)) return;
         // Nearer by more than rounding: a mesh hit so far is out, Embree need not keep it.
@@ -112,8 +116,7 @@ struct Group::Analytic {
         if (!args->valid[0]) return;
         const PrimitiveRef& ref = static_cast<const Analytic*>(args->geometryUserPtr)->table[args->primID];
         Query& query = *reinterpret_cast<Query*>(args->context);
-        const Ray& ray = query.rayIn(query.instanceOf(args->context->instID[0]));
-        if (ref.shape->occludes(ref.prim, ray, 0, query.ray->tMax))
+        if (occludes(candidate(ref), castRay(query, query.instanceOf(args->context->instID[0]))))
             reinterpret_cast<RTCRay*>(args->ray)->tfar = -infinity;
     }
 };
@@ -129,6 +132,7 @@ Group::Group(const std::vector<CasterShape>& shapes, const Extent& extent, doubl
         for (const CasterShape& entry : shapes) {
             if (entry.castsShadow != castsShadow || entry.shape->primitiveCount() == 0) continue;
             shapes_.push_back(entry.shape);
+            if (entry.cutout) cutouts_.push_back(entry.cutout);
             const bool bounded = entry.shape->kind() != GeometryKind::Unbounded;
             const Box3d box = bounded ? entry.shape->bounds() : Box3d();
             if (!bounded || !(std::max(maxAbs(box.min), maxAbs(box.max)) < largestCoordinate))
@@ -139,7 +143,8 @@ Group::Group(const std::vector<CasterShape>& shapes, const Extent& extent, doubl
                 merged->add(*this, entry);
             else
                 for (unsigned prim = 0; prim < entry.shape->primitiveCount(); ++prim)
-                    analytic->table.push_back(PrimitiveRef{entry.shape.get(), entry.id, prim});
+                    analytic->table.push_back(
+                        PrimitiveRef{entry.shape.get(), entry.id, prim, 0, 0, entry.cutout.get()});
         }
         if (!merged->table.empty()) addMerged(std::move(merged), castsShadow);
         if (!analytic->table.empty()) addAnalytic(std::move(analytic), castsShadow);
@@ -168,7 +173,8 @@ void Group::addLargeMesh(const CasterShape& entry) {
     }
     rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, quads ? RTC_FORMAT_UINT4 : RTC_FORMAT_UINT3,
                                shape.indices(), 0, (quads ? 4 : 3) * sizeof(std::uint32_t), shape.primitiveCount());
-    attachMesh(std::move(geometry), entry.castsShadow, Geometry{&shape, entry.id, nullptr, nullptr});
+    attachMesh(std::move(geometry), entry.castsShadow,
+               Geometry{&shape, entry.id, nullptr, nullptr, entry.cutout.get(), entry.cutout != nullptr});
 }
 
 void Group::addMerged(std::unique_ptr<Merged> merged, bool castsShadow) {
@@ -182,7 +188,8 @@ void Group::addMerged(std::unique_ptr<Merged> merged, bool castsShadow) {
     rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, quads ? RTC_FORMAT_UINT4 : RTC_FORMAT_UINT3,
                                merged->indices.data(), 0, merged->perFace * sizeof(std::uint32_t),
                                merged->table.size());
-    attachMesh(std::move(geometry), castsShadow, Geometry{nullptr, 0, &merged->table, &*merged->coincident});
+    attachMesh(std::move(geometry), castsShadow,
+               Geometry{nullptr, 0, &merged->table, &*merged->coincident, nullptr, merged->anyCutout});
     merged_.push_back(std::move(merged));
 }
 
@@ -195,7 +202,7 @@ void Group::addAnalytic(std::unique_ptr<Analytic> analytic, bool castsShadow) {
     rtcSetGeometryBoundsFunction(geometry.get(), Analytic::bounds, nullptr);
     rtcSetGeometryIntersectFunction(geometry.get(), Analytic::intersect);
     rtcSetGeometryOccludedFunction(geometry.get(), Analytic::occluded);
-    attach(std::move(geometry), castsShadow, Geometry{nullptr, 0, &analytic->table, nullptr});
+    attach(std::move(geometry), castsShadow, Geometry{nullptr, 0, &analytic->table, nullptr, nullptr, false});
     analytic_.push_back(std::move(analytic));
 }
 
@@ -214,11 +221,43 @@ void keepOccluder(const RTCFilterFunctionNArguments* args) {
     if (!ref.shape->occludes(ref.prim, ray, 0, query.ray->tMax)) args->valid[0] = 0;
 }
 
+/// Whether the face that Embree reports is there; true also of those without holes.
+bool isFaceThere(const RTCFilterFunctionNArguments* args, const PrimitiveRef& ref, double sMax) {
+    if (!ref.cutout) return true;
+    Query& query = *reinterpret_cast<Query*>(args->context);
+    const auto& found = *reinterpret_cast<const RTCHit*>(args->hit);
+    const CastRay ray = castRay(query, query.instanceOf(found.instID[0]));
+    PrimitiveHit hit;
+    return solveFound(ref, ray.local, found.u, found.v, hit) && hit.s < sMax && isThere(candidate(ref), ray, hit, 0);
+}
+
+PrimitiveRef faceOf(const RTCFilterFunctionNArguments* args) {
+    const auto& hit = *reinterpret_cast<const RTCHit*>(args->hit);
+    return static_cast<const Group*>(args->geometryUserPtr)->find(hit.geomID, hit.primID);
+}
+
+/// Takes back what is not there of meshes some of which have holes.
+void keepCrossing(const RTCFilterFunctionNArguments* args) {
+    if (!isFaceThere(args, faceOf(args), infinityD)) args->valid[0] = 0;
+}
+
+/// The same for shadow rays.
+void keepOccluderThere(const RTCFilterFunctionNArguments* args) {
+    const Query& query = *reinterpret_cast<const Query*>(args->context);
+    const PrimitiveRef ref = faceOf(args);
+    if (!ref.cutout)
+        keepOccluder(args);
+    else if (!isFaceThere(args, ref, query.ray->tMax))
+        args->valid[0] = 0;
+}
+
 } // namespace
 
 void Group::attachMesh(GeometryPtr geometry, bool castsShadow, Geometry record) {
     rtcSetGeometryUserData(geometry.get(), this);
-    if (castsShadow) rtcSetGeometryOccludedFilterFunction(geometry.get(), keepOccluder);
+    if (record.anyCutout) rtcSetGeometryIntersectFilterFunction(geometry.get(), keepCrossing);
+    if (castsShadow)
+        rtcSetGeometryOccludedFilterFunction(geometry.get(), record.anyCutout ? keepOccluderThere : keepOccluder);
     attach(std::move(geometry), castsShadow, record);
 }
 

@@ -34,7 +34,7 @@ class Group {
     PrimitiveRef find(unsigned geomID, unsigned primID) const {
         const Geometry& geometry = geometries_[geomID];
         if (geometry.table) return (*geometry.table)[primID];
-        return PrimitiveRef{geometry.shape, geometry.id, primID};
+        return PrimitiveRef{geometry.shape, geometry.id, primID, 0, 0, geometry.cutout};
     }
     /// The faces that share the place of `ref`, for which ref.rivals is not 0.
     const std::vector<PrimitiveRef>& rivalsOf(const PrimitiveRef& ref, unsigned geomID) const {
@@ -51,6 +51,8 @@ class Group {
         std::uint32_t id = 0;
         const std::vector<PrimitiveRef>* table = nullptr;
         const CoincidentFaces* coincident = nullptr; ///< of small meshes, which have a table
+        const Cutout* cutout = nullptr;              ///< where there is no table: it has holes
+        bool anyCutout = false;
     };
     struct Merged;   ///< small meshes, copied into one
     struct Analytic; ///< primitives solved in double
@@ -68,6 +70,7 @@ class Group {
     unsigned geometryCount_ = 0;
     std::vector<CasterShape> unbounded_;
     std::vector<ShapePtr> shapes_; ///< kept alive: Embree reads their buffers
+    std::vector<CutoutPtr> cutouts_;
     // Released before the tables and buffers above and below would be, as it is declared last.
     std::vector<std::unique_ptr<Merged>> merged_;
     std::vector<std::unique_ptr<Analytic>> analytic_;

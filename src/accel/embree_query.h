@@ -23,6 +23,7 @@ struct PrimitiveRef {
     std::uint32_t farHalf : 1 = 0;
     /// Which of Group::coincident() lies in the same place, if any; else 0.
     std::uint32_t rivals : 31 = 0;
+    const Cutout* cutout = nullptr; ///< null: no holes
 };
 
 /// A ray under way. Embree hands it to the callbacks as its context.

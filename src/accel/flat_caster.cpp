@@ -1,6 +1,6 @@
 // A handful of primitives: no tree and no single precision. Their boxes are tested four at a time, and the shapes asked
 // where the ray meets them.
-#include "accel/instance.h"
+#include "accel/candidate.h"
 #include "core/slabs.h"
 
 #include <array>
@@ -69,6 +69,9 @@ class FlatCaster final : public Caster {
         ShapePtr shape;
         std::uint32_t id = 0;
         unsigned prim = 0;
+        CutoutPtr cutout;
+
+        Candidate candidate() const { return {*shape, id, prim, cutout.get()}; }
     };
     struct Boxes {
         V3Lanes center, half;
@@ -117,7 +120,7 @@ void FlatCaster::add(const CasterShape& entry, unsigned prim) {
     }
     boxes.bit[lane] = std::int64_t(1) << index;
     castShadow_ |= std::uint32_t(entry.castsShadow) << index;
-    primitives_.push_back({entry.shape, entry.id, prim});
+    primitives_.push_back({entry.shape, entry.id, prim, entry.cutout});
 }
 
 /// The slabs of Kay & Kajiya 1986.
@@ -156,8 +159,7 @@ bool FlatCaster::intersect(const Ray& ray, CasterHit& hit) const {
     if (!cross(ray, crossed)) return false;
     for (std::uint32_t rest = crossed.boxes; rest; rest &= rest - 1) {
         if (crossed.enterOf(unsigned(std::countr_zero(rest))) > hit.s) continue;
-        const Primitive& one = lowest(rest);
-        tryPrimitive(*one.shape, one.id, one.prim, CasterHit::noInstance, ray, ray.tMax, hit);
+        tryPrimitive(lowest(rest).candidate(), CastRay(ray), ray.tMax, hit);
     }
     if (!hit.shape) return false;
     fillPoint(hit.point, *hit.shape, ray, hit.primitive);
@@ -168,7 +170,7 @@ bool FlatCaster::occluded(const Ray& ray) const {
     Crossed crossed;
     if (!cross(ray, crossed)) return false;
     for (std::uint32_t rest = crossed.boxes & castShadow_; rest; rest &= rest - 1)
-        if (const Primitive& one = lowest(rest); one.shape->occludes(one.prim, ray, 0, ray.tMax)) return true;
+        if (occludes(lowest(rest).candidate(), CastRay(ray))) return true;
     return false;
 }
 

@@ -49,20 +49,6 @@ inline double justAbove(double s) {
     return std::nextafter(s, infinityD);
 }
 
-/// Tries one primitive and keeps its hit if it comes before the one there is.
-inline bool tryPrimitive(const Shape& shape, std::uint32_t id, unsigned prim, std::uint32_t instance, const Ray& ray,
-                         double sMax, CasterHit& best) {
-    PrimitiveHit hit;
-    if (!shape.intersect(prim, ray, 0, std::min(sMax, best.shape ? justAbove(best.s) : infinityD), hit)) return false;
-    if (!comesBefore(hit.s, instance, id, hit.prim, best)) return false;
-    best.s = hit.s;
-    best.id = id;
-    best.instance = instance;
-    best.shape = &shape;
-    best.primitive = hit;
-    return true;
-}
-
 /// Bounds of all bounded shapes of the list.
 Box3d boundsOf(const std::vector<CasterShape>& shapes);
 
