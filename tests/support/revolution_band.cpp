@@ -37,6 +37,9 @@ struct Place {
     long double u;
     bool forward;
     int sector;
+    /// What of the profile within the band about the place is nearest to the halves' common tip; none where all is farther
+    /// from it than the band. Unknown until it is asked for, as it is costly.
+    mutable std::optional<std::optional<long double>> nearTip{};
 };
 
 class Scene {
@@ -109,17 +112,8 @@ class Scene {
         for (const long double u : {a.u, b.u, (a.u + b.u) / 2})
             if (meetAtTipNear(u, a, b)) return true;
         // The profile may turn between the places and the tip: look along all of what is in the band.
-        for (const Place& place : {a, b}) {
-            const Stretch s = lengthened({place.u, place.u, place.forward});
-            if (distanceToTip((s.ua + s.ub) / 2) > band_ + fastest_ * (s.ub - s.ua) / 2) continue;
-            constexpr int steps = 256;
-            long double best = s.ua;
-            for (int i = 1; i <= steps; ++i) {
-                const long double u = s.ua + (s.ub - s.ua) * i / steps;
-                if (distanceToTip(u) < distanceToTip(best)) best = u;
-            }
-            if (meetAtTipNear(best, a, b)) return true;
-        }
+        for (const Place* place : {&a, &b})
+            if (const auto near = nearestToTip(*place); near && meetAtTipNear(*near, a, b)) return true;
         return false;
     }
     /// Whether the curve crosses the ray at less than 1e-6 radian.
@@ -182,6 +176,20 @@ class Scene {
         const auto [x, y] = toTip(at(u));
         return std::hypot(x, y);
     }
+    std::optional<long double> nearestToTip(const Place& place) const {
+        if (place.nearTip) return *place.nearTip;
+        place.nearTip.emplace();
+        const Stretch s = lengthened({place.u, place.u, place.forward});
+        if (distanceToTip((s.ua + s.ub) / 2) > band_ + fastest_ * (s.ub - s.ua) / 2) return {};
+        constexpr int steps = 256;
+        long double best = s.ua, least = distanceToTip(best);
+        for (int i = 1; i <= steps; ++i) {
+            const long double u = s.ua + (s.ub - s.ua) * i / steps, here = distanceToTip(u);
+            if (here < least) best = u, least = here;
+        }
+        place.nearTip = best;
+        return best;
+    }
     /// By Newton's method from u.
     bool meetAtTipNear(long double u, const Place& a, const Place& b) const {
         for (int i = 0; i < 12; ++i) {
@@ -234,7 +242,9 @@ Parts connect(const Scene& scene, const std::vector<Place>& places) {
     }
     for (std::size_t i = 0; i < places.size(); ++i)
         for (std::size_t k = i + 1; k < places.size(); ++k)
-            if (places[i].forward != places[k].forward && scene.meetAtTip(places[i], places[k])) parts.join(i, k);
+            if (places[i].forward != places[k].forward && parts.of(i) != parts.of(k) &&
+                scene.meetAtTip(places[i], places[k]))
+                parts.join(i, k);
     return parts;
 }
 

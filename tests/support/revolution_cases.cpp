@@ -176,10 +176,10 @@ RayKind drawKind(RandomStream& random) {
 }
 
 const char* toString(RayKind kind) {
-    constexpr const char* names[rayKinds] = {"generic",         "horizontal",     "nearly horizontal", "parallel",
-                                             "nearly parallel", "on the axis",    "through the axis",  "joint",
-                                             "end ring",        "nearly tangent", "tangent",           "double root",
-                                             "from the surface"};
+    constexpr const char* names[rayKinds] = {"generic",          "horizontal",     "nearly horizontal", "parallel",
+                                             "nearly parallel",  "on the axis",    "through the axis",  "joint",
+                                             "end ring",         "nearly tangent", "tangent",           "double root",
+                                             "from the surface", "at the tip"};
     return names[int(kind)];
 }
 
@@ -251,6 +251,11 @@ Ray randomRay(RandomStream& random, RayKind kind, const ProfilePoints& profile) 
         return touchingRay(random, c, phi, distance, 0);
     case RayKind::DoubleRoot:
         return doubleRootRay(random, random.uniformDouble() < 0.5 ? segment.front() : segment.back(), distance);
+    case RayKind::AtTheTip: {
+        const double off = random.uniformDouble() < 0.5 ? 0 : randomSign(random) * logUniform(random, -16, -6);
+        const V3d around(-std::sin(phi), up.y * logUniform(random, -9, -2), std::cos(phi));
+        return through(turned(c.p + V2d(off, 0), phi), around.normalized());
+    }
     case RayKind::FromSurface:
         break;
     }

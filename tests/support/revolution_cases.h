@@ -37,10 +37,11 @@ enum class RayKind {
     NearlyTangent, ///< beside a touching ray by 10^-k, k = 1 .. 14, on either side
     Tangent,       ///< touching but for rounding
     DoubleRoot,    ///< exactly: along a wall, in a rim's plane, touching a ring
-    FromSurface
+    FromSurface,
+    AtTheTip ///< nearly horizontal (1e-9 to 1e-2), closest to the axis on the surface or beside it by 1e-16 to 1e-6
 };
-inline constexpr int rayKinds = 13;
-inline constexpr double genericShare = 0.4; ///< of drawKind(); each of the others 5 %
+inline constexpr int rayKinds = 14;
+inline constexpr double genericShare = 0.35; ///< of drawKind(); each of the others 5 %
 const char* toString(RayKind kind);
 RayKind drawKind(RandomStream& random);
 

@@ -182,7 +182,9 @@ struct SlowSolver::Steep {
         if (std::fabs(f) > reach + 2 * mostNoise) return;
         const long double rounding = noise(c);
         if (std::fabs(f) > reach + 2 * rounding) return;
-        if (df > ddf * r || std::fabs(f) + reach < rounding || b - a < 0x1p-58L) {
+        // Beyond 2 rounding + reach the stretch was left above: what remains here ends once reach is below a rounding, also
+        // where a whole line of the profile lies in the ray.
+        if (df > ddf * r || std::fabs(f) + reach < 4 * rounding || b - a < 0x1p-58L) {
             if (negativeAtA != negativeAtB) solve(a, b, negativeAtA);
             return;
         }
@@ -207,19 +209,20 @@ struct SlowSolver::Shallow {
     const Piece& piece;
     bool forward;
     std::vector<OracleHit>& hits;
+    long double tip = -1; ///< where the stretch ends because x = e: there both halves have the same value
 
     long double w() const { return forward ? ray.v : -ray.v; }
-    long double value(const Sample& c) const { return ray.rise(c.y) - w() * ray.width(c.x); }
+    long double width(long double t, const Sample& c) const { return t == tip ? 0 : ray.width(c.x); }
     long double noise(const Sample& c) const {
         return 0x1p-60L *
                (ray.h * (std::fabs(ray.oy) + std::fabs(c.y)) + std::fabs(ray.v * ray.q) + std::fabs(ray.v) * c.x);
     }
-    bool isNegative(const Sample& c) const { return value(c) < -noise(c); }
+    bool isNegative(long double t, const Sample& c) const { return ray.rise(c.y) - w() * width(t, c) < -noise(c); }
 
     void solve(long double a, long double b, bool negativeAtA) const {
         for (int i = 0; i < 66; ++i) {
             const long double t = (a + b) / 2;
-            (isNegative(curve.at(t)) == negativeAtA ? a : b) = t;
+            (isNegative(t, curve.at(t)) == negativeAtA ? a : b) = t;
         }
         const long double t = (a + b) / 2;
         const Sample c = curve.at(t);
@@ -241,7 +244,7 @@ struct SlowSolver::Shallow {
         const Sample c = curve.at(m), ca = curve.at(lo), cb = curve.at(hi);
         const long double dySpread = bounds.y2 * r, dxSpread = bounds.x2 * r;
         const long double pSpread = ray.h * (std::fabs(c.dy) + dySpread / 2) * r, p = ray.rise(c.y);
-        const long double wa = ray.width(ca.x), wb = ray.width(cb.x); // x is monotone
+        const long double wa = width(lo, ca), wb = width(hi, cb); // x is monotone
         const long double ga = w() * std::min(wa, wb), gb = w() * std::max(wa, wb);
         const long double rounding = noise(c);
         if (p - pSpread > std::max(ga, gb) + 2 * rounding || p + pSpread < std::min(ga, gb) - 2 * rounding) return;
@@ -261,19 +264,19 @@ struct SlowSolver::Shallow {
         const bool monotone = dyLow > high || dyHigh < low;
         const long double size = std::fabs(p) + pSpread + std::max(std::fabs(ga), std::fabs(gb));
         if (monotone || size < rounding || hi - lo < 0x1p-56L) {
-            const bool negativeAtA = isNegative(ca);
-            if (negativeAtA != isNegative(cb)) solve(lo, hi, negativeAtA);
+            const bool negativeAtA = isNegative(lo, ca);
+            if (negativeAtA != isNegative(hi, cb)) solve(lo, hi, negativeAtA);
             return;
         }
         const long double nm = (na + nb) / 2;
         search(2 * node + 1, bounds, na, nm, a, b);
         search(2 * node + 2, bounds, nm, nb, a, b);
     }
-    void run() const {
+    void run() {
         const bool insideAtA = piece.first.x < ray.e, insideAtB = piece.last.x < ray.e;
         if (insideAtA && insideAtB) return;
         long double a = piece.ta, b = piece.tb;
-        if (insideAtA != insideAtB) (insideAtA ? a : b) = edge(a, b, insideAtA);
+        if (insideAtA != insideAtB) (insideAtA ? a : b) = tip = edge(a, b, insideAtA);
         search(0, {}, piece.ta, piece.tb, a, b);
     }
 };

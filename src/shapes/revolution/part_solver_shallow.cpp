@@ -9,8 +9,9 @@
 namespace vitrine {
 
 struct PartSolver::Branch {
-    /// Next to the closest approach, where S has its root, higher derivatives are large.
-    static constexpr double lastStep = 0x1p-23;
+    /// Next to the closest approach, where S has its root, higher derivatives are so large that Halley's step says nothing
+    /// of the next one.
+    static constexpr double lastStep = 0x1p-40;
 
     const AxialRay& ray;
     double w;
@@ -85,7 +86,8 @@ void PartSolver::solveShallow(HitCollector& hits) const {
     double ta = 0, tb = 1;
     if (!clipToReach(ray, x, p, ta, tb)) return;
     // All of the backward half comes before all of the forward one, with the closest approach to the axis between them.
-    const double closest = -ray.q, slack = hits.margin();
+    // A length that comes from a height errs by 1 / v of it, so that rounding may put roots beside it on its other side.
+    const double closest = -ray.q, slack = hits.margin() / std::max(std::abs(ray.v), 1e-7);
     constexpr double eps = std::numeric_limits<double>::epsilon();
     const double unit = (8 + 8 * points_) * eps * reach_;
     const double base = unit + 8 * eps * (2 * std::abs(ray.vq) + std::abs(ray.oy));
@@ -95,8 +97,7 @@ void PartSolver::solveShallow(HitCollector& hits) const {
         return isolateShallow(branch, x, p, whole, branch.isNegative(x[points_ - 1], p[points_ - 1]), maxDepth, hits);
     };
     if (closest + slack >= hits.lengthMin() * ray.h && solveBranch(-ray.v, false) && hits.done()) return;
-    // A length that comes from a height errs by 1 / v of it: the forward root may be the nearer by a rounding.
-    if (closest - slack / std::max(std::abs(ray.v), 1e-7) <= hits.lengthMax() * ray.h) solveBranch(ray.v, true);
+    if (closest - slack <= hits.lengthMax() * ray.h) solveBranch(ray.v, true);
 }
 
 /// Cuts away what is nearer to the axis than the ray ever comes. At the cut both branches have the same value, so that

@@ -289,24 +289,55 @@ TEST(Revolution, RaysThroughAPoleMissNothingBesideIt) {
     expectCrossings(make(profile), o, d, {1.0876519564699549, 1.3519950711369522}); // by exact integers
 }
 
-/// A touch whose two crossings are 40 roundings apart, the later one in the profile the nearer: stepping from hit to hit
-/// meets both.
-TEST(Revolution, OfATouchsTwoCrossingsTheNearerIsFirst) {
-    const Revolution goblet = make(joined(gobletProfile()), 3);
-    const Ray ray{{-2.1904671606002726, 1.1606747273901137, -2.2759817068699171},
-                  {0.59875316245398003, 0.012512714677923503, 0.80083586484544178}};
-    const std::vector<double> all = crossings(goblet, ray.o, ray.d);
-    ASSERT_EQ(all.size(), 2u);
-    ASSERT_LT(all[0], all[1]);
+/// Stepping from hit to hit.
+std::vector<double> walked(const Revolution& shape, const Ray& ray) {
     std::vector<double> met;
     for (double s = -infinityD; s < infinityD;) {
         PrimitiveHit best, hit;
-        for (unsigned prim = 0; prim < goblet.primitiveCount(); ++prim)
-            if (goblet.intersect(prim, ray, s, best.s, hit)) best = hit;
+        for (unsigned prim = 0; prim < shape.primitiveCount(); ++prim)
+            if (shape.intersect(prim, ray, s, best.s, hit)) best = hit;
         s = best.s;
         if (s < infinityD) met.push_back(s);
     }
-    EXPECT_EQ(met, all);
+    return met;
+}
+
+/// Touches: the later crossing in the profile, or on the hyperbola's forward half, is the nearer by a rounding; of a ray that
+/// is all but horizontal by a rounding divided by its slope.
+TEST(Revolution, SteppingFromHitToHitMeetsBothCrossingsOfATouch) {
+    const Revolution goblet = make(joined(gobletProfile()), 3);
+    for (const Ray& ray : {Ray{{-2.1904671606002726, 1.1606747273901137, -2.2759817068699171},
+                               {0.59875316245398003, 0.012512714677923503, 0.80083586484544178}},
+                           Ray{{-0.81709932942860741, 0.22356849576430923, 0.25375804662094859},
+                               {0.93688822061859445, -7.7377928727837827e-07, -0.34962903492920205}},
+                           Ray{{0.10771642709077182, 0.55943561154782107, -0.25048950632596373},
+                               {0.11697664462405684, 1.1039488533316268e-07, 0.99313466590009081}}}) {
+        const std::vector<double> all = crossings(goblet, ray.o, ray.d);
+        ASSERT_EQ(all.size(), 2u);
+        ASSERT_LT(all[0], all[1]);
+        EXPECT_EQ(walked(goblet, ray), all);
+    }
+}
+
+/// Where the ray is closest to the axis, a root's length along the ray is very sensitive to its parameter.
+TEST(Revolution, HitsAtTheClosestApproachLieOnTheSurface) {
+    const ProfilePoints profile = gobletProfile();
+    const Revolution goblet = make(joined(profile), 3);
+    for (const Ray& ray : {Ray{{-0.083282546007757169, 0.28934090610471158, -0.61406894714385984},
+                               {0.20922344482487662, -1.0305553186695577e-07, 0.97786785924050146}},
+                           Ray{{-6.0773842502909643e-05, 0.29967467920301211, 0.047010686781545921},
+                               {-0.99999916437830627, -4.203259559811181e-07, -0.0012927654514255091}}}) {
+        const auto hits = goblet.allHits(ray, -infinityD, infinityD);
+        ASSERT_FALSE(hits.empty());
+        for (const PrimitiveHit& hit : hits) {
+            const double place = hit.v * double(profile.size());
+            const std::size_t segment = std::min(std::size_t(place), profile.size() - 1);
+            const V3d p = ray.at(hit.s);
+            EXPECT_LT(
+                distanceFromCurve(SlowCurve(profile[segment]), place - double(segment), std::hypot(p.x, p.z), p.y),
+                64 * 3 * std::numeric_limits<double>::epsilon() * 1.32);
+        }
+    }
 }
 
 TEST(Revolution, PiecesFarApartHaveBoxesOfTheirOwn) {
