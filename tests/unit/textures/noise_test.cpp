@@ -1,5 +1,5 @@
 #include "core/random.h"
-#include "texture_points.h"
+#include "support/texture_points.h"
 #include "textures/fbm.h"
 #include "textures/noise.h"
 #include "textures/windy.h"

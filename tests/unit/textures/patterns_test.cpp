@@ -1,6 +1,6 @@
 // Textures that choose between others, and those that stand alone.
 #include "spectrum/colorspace.h"
-#include "texture_points.h"
+#include "support/texture_points.h"
 #include "textures/bilerp.h"
 #include "textures/checkerboard.h"
 #include "textures/constant.h"
