@@ -1,8 +1,9 @@
 // Lights: emitted radiance, and how to choose directions towards them.
 #pragma once
 
+#include "accel/cutout.h"
 #include "lights/light_bounds.h"
-#include "shapes/shape.h"
+#include "lights/light_receiver.h"
 #include "spectrum/spectrum.h"
 
 #include <memory>
@@ -94,6 +95,9 @@ using LightPtr = std::shared_ptr<Light>;
 /// | twosided | bool     |      | false                | shines from both sides, else from that of the normal alone |
 ///
 /// A shape of infinite area shines, but is never chosen by light sampling.
+///
+/// Where the shape's "alpha" stops a share of the rays, it shines with that share of L; "power" is meant without alpha. A
+/// shape whose alpha is 0 throughout is not to be seen, and shines whole (pbrt-v4's invisible lights).
 class AreaLight final : public Light {
   public:
     struct Parameters {
@@ -101,14 +105,15 @@ class AreaLight final : public Light {
         double scale = 1;
         double power = -1;
         bool twoSided = false;
+        CutoutPtr cutout = nullptr; ///< holes of the shape; null: none
+        bool isUnseen = false;      ///< rays do not meet the shape
     };
     /// By pbrt's rule (lights/emission.h); `unit` for the power is pi area, twice that for two sides.
     /// \throws std::invalid_argument as scaledEmission does
     static std::shared_ptr<AreaLight> create(ShapePtr shape, const Parameters& parameters);
 
     /// \param l emitted radiance (already scaled). \param twoSided shines from both sides of the shape
-    AreaLight(ShapePtr shape, SpectrumPtr l, bool twoSided)
-        : shape_(std::move(shape)), l_(std::move(l)), twoSided_(twoSided) {}
+    AreaLight(ShapePtr shape, SpectrumPtr l, bool twoSided, CutoutPtr cutout = nullptr, bool isUnseen = false);
 
     SampledSpectrum power(const SampledWavelengths& lambda) const override;
     Box3d bounds() const override { return shape_->bounds(); }
@@ -120,7 +125,8 @@ class AreaLight final : public Light {
                                           const SampledWavelengths& lambda) const override;
     std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection,
                                       const SampledWavelengths& lambda) const override;
-    /// Radiance leaving `point` towards w.
+    bool isDelta() const override { return isUnseen_; }
+    /// Radiance leaving `point` towards w, where the shape is there.
     SampledSpectrum emitted(const SurfacePoint& point, const V3f& w, const SampledWavelengths& lambda) const {
         return twoSided_ || w.dot(point.ng) > 0 ? l_->sample(lambda) : SampledSpectrum(0);
     }
@@ -139,9 +145,15 @@ class AreaLight final : public Light {
     std::optional<LightSample> lightFrom(const std::optional<ShapeSample>& onShape, const LightReceiver& at,
                                          const SampledWavelengths& lambda) const;
 
+    /// Of a shape with holes.
+    float opacity(const SurfacePoint& point) const { return std::clamp(cutout_->opacity(point), 0.f, 1.f); }
+
     ShapePtr shape_;
     SpectrumPtr l_;
     bool twoSided_;
+    CutoutPtr cutout_;
+    bool isUnseen_;
+    float meanOpacity_ = 1; ///< over the area, estimated; above 0
 };
 
 } // namespace vitrine

@@ -2,6 +2,7 @@
 
 #include "nodes/parser.h"
 #include "nodes/spd.h"
+#include "textures/constant.h"
 
 #include <fmt/format.h>
 
@@ -108,7 +109,11 @@ SpectrumInput findSpectrumInput(BuildContext& context, const ParameterSet& param
 std::optional<FloatInput> findFloatInput(BuildContext& context, const ParameterSet& parameters, std::string_view name) {
     if (const auto texture = parameters.findTexture(name)) {
         const FloatTexturePtr found = context.textures().findFloat(parameters, name, *texture);
-        return found ? std::optional(FloatInput(found)) : std::nullopt;
+        if (!found) return std::nullopt;
+        // What is the same everywhere may be checked once, and costs nothing to look up.
+        if (const auto* same = dynamic_cast<const ConstantTexture<FloatInput>*>(found.get()))
+            return FloatInput(same->evaluate({}));
+        return FloatInput(found);
     }
     const auto value = parameters.findFloat(name);
     return value ? std::optional(FloatInput(float(*value))) : std::nullopt;

@@ -88,13 +88,15 @@ constexpr RegistryEntry<LightBuilder> lightTypes[] = {{"point", point},       {"
                                                       {"infinite", infinite}, {"goniometric"}, {"projection"}};
 
 std::vector<std::shared_ptr<AreaLight>> diffuseArea(BuildContext& context, const Node& node,
-                                                    const std::vector<ShapePtr>& shapes) {
+                                                    const std::vector<ShapePtr>& shapes, const ShapeAlpha& alpha) {
     const ParameterSet& p = node.parameters;
     refuse(p, {"filename"});
     AreaLight::Parameters s;
     s.l = emission(context, p, "L");
     s.scale = p.getFloat("scale", s.scale);
     s.twoSided = p.getBool("twosided", s.twoSided);
+    s.cutout = alpha.cutout;
+    s.isUnseen = alpha.isUnseen;
     const double power = p.getFloat("power", s.power);
 
     double area = 0;
@@ -109,7 +111,7 @@ std::vector<std::shared_ptr<AreaLight>> diffuseArea(BuildContext& context, const
 }
 
 using AreaLightBuilder = std::vector<std::shared_ptr<AreaLight>> (*)(BuildContext&, const Node&,
-                                                                     const std::vector<ShapePtr>&);
+                                                                     const std::vector<ShapePtr>&, const ShapeAlpha&);
 constexpr RegistryEntry<AreaLightBuilder> areaLightTypes[] = {{"diffuse", diffuseArea}};
 
 } // namespace
@@ -123,9 +125,10 @@ LightPtr buildLight(BuildContext& context, const LightNode& node) {
 }
 
 std::vector<std::shared_ptr<AreaLight>> buildAreaLights(BuildContext& context, const Node& node,
-                                                        const std::vector<ShapePtr>& shapes) {
-    return context.guarded(
-        node, [&] { return findBuilder<AreaLightBuilder>(areaLightTypes, node, "area light")(context, node, shapes); });
+                                                        const std::vector<ShapePtr>& shapes, const ShapeAlpha& alpha) {
+    return context.guarded(node, [&] {
+        return findBuilder<AreaLightBuilder>(areaLightTypes, node, "area light")(context, node, shapes, alpha);
+    });
 }
 
 } // namespace vitrine

@@ -144,9 +144,7 @@ std::vector<ShapePtr> buildShape(BuildContext& context, const ShapeNode& node) {
     return context.guarded(node, [&]() -> Shapes {
         const auto build = findBuilder<ShapeBuilder>(shapeTypes, node, "shape");
         const ParameterSet& p = node.parameters;
-        if (const auto alpha = findFloatInput(context, p, "alpha");
-            alpha && !(alpha->isConstant() && alpha->constant() == 1))
-            p.error("alpha", "\"alpha\" other than 1 is not yet supported");
+        acceptWithoutEffect(p, {"alpha"}); // findShapeAlpha's
         const Transform& worldFromObject = still(context, node.worldFromObject, node.place);
         return build({context, node, p, worldFromObject, node.reverseOrientation});
     });

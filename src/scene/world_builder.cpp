@@ -75,9 +75,11 @@ class WorldBuilder {
     }
 
     void addShape(const ShapeNode& node, std::vector<CasterShape>& to, bool mayShine) {
+        const ShapeAlpha alpha = findShapeAlpha(context_, node.parameters);
         const auto shapes = buildShape(context_, node);
         const MaterialPtr& material = materials_[std::size_t(node.material)];
         warnOfOpenGlass(node, shapes, material);
+        warnOfHoles(node, alpha, material);
         for (const auto& shape : shapes) {
             context_.countPrimitives(shape->primitiveCount());
             if (shape->kind() != GeometryKind::Unbounded && isFar(shape->bounds()))
@@ -87,14 +89,17 @@ class WorldBuilder {
         std::vector<std::shared_ptr<AreaLight>> lights;
         if (node.areaLight >= 0) {
             if (mayShine)
-                lights = buildAreaLights(context_, context_.nodes().areaLights[std::size_t(node.areaLight)], shapes);
+                lights =
+                    buildAreaLights(context_, context_.nodes().areaLights[std::size_t(node.areaLight)], shapes, alpha);
             else
                 context_.diagnostics().error(node.place, "area lights in object definitions are not yet supported");
         }
         for (std::size_t i = 0; i < shapes.size(); ++i) {
             Surface surface{material, i < lights.size() ? lights[i].get() : nullptr};
             if (i < lights.size()) lights_.push_back(lights[i]);
-            to.push_back({shapes[i], std::uint32_t(world_.surfaces.size()), material && !material->isInterface()});
+            if (alpha.isUnseen) continue;
+            to.push_back(
+                {shapes[i], std::uint32_t(world_.surfaces.size()), material && !material->isInterface(), alpha.cutout});
             world_.surfaces.push_back(std::move(surface));
         }
     }
@@ -153,6 +158,15 @@ class WorldBuilder {
                                 "mirrored): its dielectric needs other shapes of the same material to bound one",
                                 node.type));
         }
+    }
+
+    void warnOfHoles(const ShapeNode& node, const ShapeAlpha& alpha, const MaterialPtr& material) {
+        const Interior* interior = material ? material->interior() : nullptr;
+        if (!alpha.cutout || !interior || !(interior->priority || interior->absorption)) return;
+        context_.diagnostics().warning(node.parameters.place("alpha"),
+                                       fmt::format("rays pass through the holes of this {} without entering or leaving "
+                                                   "the solid that its dielectric bounds",
+                                                   node.type));
     }
 
     bool warnOfCrossing(const ShapeNode& node, const Profile& profile) {

@@ -3,6 +3,7 @@
 
 #include "paths/world.h"
 #include "scene/context.h"
+#include "scene/shape_alpha.h"
 
 namespace vitrine {
 
@@ -30,6 +31,7 @@ LightPtr buildLight(BuildContext& context, const LightNode& node);
 /// The light of one of the shapes of a node under AreaLightSource `node`; `shapes` are all that the node made, as
 /// `power` is theirs together.
 std::vector<std::shared_ptr<AreaLight>> buildAreaLights(BuildContext& context, const Node& node,
-                                                        const std::vector<ShapePtr>& shapes);
+                                                        const std::vector<ShapePtr>& shapes,
+                                                        const ShapeAlpha& alpha = {});
 
 } // namespace vitrine
