@@ -4,6 +4,8 @@
 #include "bsdfs/conductor_bsdf.h"
 #include "bsdfs/dielectric_bsdf.h"
 #include "bsdfs/diffuse_bsdf.h"
+#include "bsdfs/diffusetransmission_bsdf.h"
+#include "bsdfs/layered_bsdf.h"
 #include "bsdfs/lobes.h"
 #include "bsdfs/thindielectric_bsdf.h"
 
@@ -13,7 +15,8 @@ namespace vitrine {
 
 /// One of the BSDFs, held by value. wo points to where the path comes from, wi to where it goes; both unit, local,
 /// away from the surface. Values are per steradian without the cosine. Delta lobes: f and pdf are 0, sample gives
-/// f = (Fresnel) / |cos wi| and pdf = the lobe's probability, as in pbrt-v4.
+/// f = (Fresnel) / |cos wi| and pdf = the lobe's probability, as in pbrt-v4. Layered ones answer f and pdf by estimates,
+/// always the same one for the same question.
 class Bsdf {
     template <class F>
     decltype(auto) visit(F&& f) const {
@@ -25,13 +28,20 @@ class Bsdf {
             return f(*std::get_if<1>(&bsdf_));
         case 2:
             return f(*std::get_if<2>(&bsdf_));
-        default:
+        case 3:
             return f(*std::get_if<3>(&bsdf_));
+        case 4:
+            return f(*std::get_if<4>(&bsdf_));
+        case 5:
+            return f(*std::get_if<5>(&bsdf_));
+        default:
+            return f(*std::get_if<6>(&bsdf_));
         }
     }
 
   public:
-    using Variant = std::variant<DiffuseBsdf, ConductorBsdf, DielectricBsdf, ThinDielectricBsdf>;
+    using Variant = std::variant<DiffuseBsdf, ConductorBsdf, DielectricBsdf, ThinDielectricBsdf,
+                                 DiffuseTransmissionBsdf, CoatedDiffuseBsdf, CoatedConductorBsdf>;
 
     template <class B>
     requires std::is_constructible_v<Variant, const B&> Bsdf(const B& bsdf) : bsdf_(bsdf) {}
@@ -42,7 +52,8 @@ class Bsdf {
     }
     /// Something besides delta lobes: worth a shadow ray.
     bool isNonSpecular() const { return lobes() & (lobe::diffuse | lobe::glossy); }
-    /// How wide the narrowest lobe is, as the alpha of its microfacets: 0 for delta lobes, 1 for diffuse ones.
+    /// How wide the narrowest lobe is, delta lobes aside, as the alpha of its microfacets: 1 for diffuse ones; 0 if there
+    /// are delta lobes alone.
     float roughness() const {
         return visit([](const auto& b) { return b.roughness(); });
     }

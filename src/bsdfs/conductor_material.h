@@ -12,30 +12,33 @@
 #pragma once
 
 #include "bsdfs/material.h"
-#include "bsdfs/parameter_checks.h"
+#include "bsdfs/metal_index.h"
 
 namespace vitrine {
 
 class ConductorMaterial final : public Material {
   public:
-    /// Copper's for what is null. In a medium other than air both are taken relative to its index.
+    /// A metal in a medium other than air has contrast to that; of one that is given by its reflectance, whatever it
+    /// lies in, that is it.
     /// \throws std::invalid_argument for negative or non-finite values.
-    explicit ConductorMaterial(SpectrumInput eta = nullptr, SpectrumInput k = nullptr, FloatInput uroughness = 0,
-                               FloatInput vroughness = 0, bool remaproughness = true);
-    /// A metal that reflects this at normal incidence, whatever it lies in: eta = 1, k = 2 sqrt(r / (1 - r)) (pbrt-v4).
+    explicit ConductorMaterial(MetalIndex index = MetalIndex(), FloatInput uroughness = 0, FloatInput vroughness = 0,
+                               bool remaproughness = true);
+    explicit ConductorMaterial(SpectrumInput eta, SpectrumInput k, FloatInput uroughness = 0, FloatInput vroughness = 0,
+                               bool remaproughness = true)
+        : ConductorMaterial(MetalIndex(std::move(eta), std::move(k)), std::move(uroughness), std::move(vroughness),
+                            remaproughness) {}
     static ConductorMaterial fromReflectance(SpectrumInput reflectance, FloatInput uroughness = 0,
-                                             FloatInput vroughness = 0, bool remaproughness = true);
-
-    Bsdf bsdf(const MaterialPoint& point, SampledWavelengths& lambda) const override;
-    bool filtersTextures() const override {
-        return eta_.isFiltered() || k_.isFiltered() || reflectance_.isFiltered() || facets_.isFiltered();
+                                             FloatInput vroughness = 0, bool remaproughness = true) {
+        return ConductorMaterial(MetalIndex::ofReflectance(std::move(reflectance)), std::move(uroughness),
+                                 std::move(vroughness), remaproughness);
     }
 
-  private:
-    struct ByReflectance {};
-    ConductorMaterial(ByReflectance, SpectrumInput reflectance, Facets facets);
+    Bsdf bsdf(const MaterialPoint& point, SampledWavelengths& lambda) const override;
+    bool filtersTextures() const override { return index_.isFiltered() || facets_.isFiltered(); }
+    bool isPolished() const override { return facets_.isPolished(); }
 
-    SpectrumInput eta_, k_, reflectance_; ///< the first two, or the last
+  private:
+    MetalIndex index_;
     Facets facets_;
 };
 

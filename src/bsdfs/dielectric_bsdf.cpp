@@ -52,7 +52,8 @@ float DielectricBsdf::roughPdf(const V3f& wo, const V3f& wi) const {
     return (1 - facet.reflectance) * facets * facet.cosO * facet.refractionJacobian();
 }
 
-std::optional<BsdfSample> DielectricBsdf::sampleRough(const V3f& wo, float uc, const V2f& u, TransportMode mode) const {
+std::optional<BsdfSample> DielectricBsdf::sampleRough(const V3f& wo, float uc, const V2f& u, TransportMode mode,
+                                                      float* chance) const {
     Facet facet;
     facet.m = distribution_.sampleVisible(wo, u);
     facet.eta = etaAcross(wo);
@@ -61,6 +62,7 @@ std::optional<BsdfSample> DielectricBsdf::sampleRough(const V3f& wo, float uc, c
     facet.cosO = std::min(dotO, 1.f);
     const auto [reflectance, cosT] = fresnelDielectric(facet.cosO, facet.eta);
     const float d = distribution_.d(facet.m);
+    if (chance) *chance = uc < reflectance ? reflectance : 1 - reflectance;
     if (uc < reflectance) {
         const V3f wi = reflect(wo, facet.m);
         if (wo.z * wi.z <= 0 || inSurface(wi)) return {};
@@ -78,6 +80,26 @@ std::optional<BsdfSample> DielectricBsdf::sampleRough(const V3f& wo, float uc, c
     const float scale = mode == TransportMode::Radiance ? 1 / sqr(facet.eta) : 1;
     return BsdfSample{wi, SampledSpectrum(common * distribution_.gOverCosines(wo, wi) * scale), pdf,
                       lobe::transmission | lobe::glossy, facet.eta};
+}
+
+std::optional<DielectricBsdf::SideSample> DielectricBsdf::sampleSide(const V3f& wo, bool reflect, const V2f& u,
+                                                                     TransportMode mode) const {
+    if (inSurface(wo)) return {};
+    const float uc = reflect ? -1 : 2; // below and above every reflectance
+    float chance = 0;
+    const auto s = smooth_ ? sampleSmooth(wo, uc, mode) : sampleRough(wo, uc, u, mode, &chance);
+    if (!s) return {};
+    if (smooth_) chance = s->pdf;
+    if (!(chance > 0)) return {};
+    return SideSample{s->wi, s->f[0], s->pdf / chance, chance};
+}
+
+float DielectricBsdf::sidePdf(const V3f& wo, const V3f& wi) const {
+    Facet facet;
+    if (smooth_ || !findFacet(wo, wi, facet)) return 0;
+    const float facets = distribution_.visibleOverD(wo) * distribution_.d(facet.m);
+    if (facet.reflects) return facet.reflectance > 0 ? facets / 4 : 0;
+    return facet.reflectance < 1 ? facets * facet.cosO * facet.refractionJacobian() : 0;
 }
 
 } // namespace vitrine

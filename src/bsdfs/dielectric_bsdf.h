@@ -12,7 +12,7 @@ namespace vitrine {
 class DielectricBsdf {
   public:
     explicit DielectricBsdf(float eta, const TrowbridgeReitz& distribution = {})
-        : eta_(eta), distribution_(distribution), smooth_(isSmooth()) {}
+        : eta_(eta), distribution_(distribution), smooth_(hasNoFacets()) {}
 
     float roughness() const { return smooth_ ? 0 : distribution_.roughness(); }
     unsigned lobes() const {
@@ -29,15 +29,31 @@ class DielectricBsdf {
     }
     void regularize() {
         distribution_.regularize();
-        smooth_ = isSmooth();
+        smooth_ = hasNoFacets();
     }
+
+    // For walks between layers, which take the side of the surface as given.
+
+    /// A direction on a given side. f / pdf and, of what is not smooth, f are those of sample(); pdf is per steradian
+    /// among directions of that side, 1 where it is smooth.
+    struct SideSample {
+        V3f wi;
+        float f, pdf;
+        float chance; ///< of that side, from the facet that was met
+    };
+    bool isSmooth() const { return smooth_; }
+    float eta() const { return eta_; }
+    /// \param reflect or else refract
+    std::optional<SideSample> sampleSide(const V3f& wo, bool reflect, const V2f& u, TransportMode mode) const;
+    /// The density of wi when drawn by sampleSide(wo, ...) for the side that it lies on.
+    float sidePdf(const V3f& wo, const V3f& wi) const;
 
   private:
     struct Facet;
 
     /// Facets do not matter where they hardly bend: the refracted lobe is narrower than |eta - 1|, and the halfway
     /// vector, whose length it is, has no digits left.
-    bool isSmooth() const { return distribution_.effectivelySmooth() || std::abs(eta_ - 1) < 1e-4f; }
+    bool hasNoFacets() const { return distribution_.effectivelySmooth() || std::abs(eta_ - 1) < 1e-4f; }
     /// Index of the far side over that of the side that w is on.
     float etaAcross(const V3f& w) const { return w.z > 0 ? eta_ : 1 / eta_; }
 
@@ -56,7 +72,9 @@ class DielectricBsdf {
     }
     float roughValue(const V3f& wo, const V3f& wi, TransportMode mode) const;
     float roughPdf(const V3f& wo, const V3f& wi) const;
-    std::optional<BsdfSample> sampleRough(const V3f& wo, float uc, const V2f& u, TransportMode mode) const;
+    /// \param chance if asked for: of the side taken, at the facet met
+    std::optional<BsdfSample> sampleRough(const V3f& wo, float uc, const V2f& u, TransportMode mode,
+                                          float* chance = nullptr) const;
     bool findFacet(const V3f& wo, const V3f& wi, Facet& facet) const;
 
     float eta_;

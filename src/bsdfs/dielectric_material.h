@@ -30,6 +30,7 @@ class DielectricMaterial final : public Material {
     Bsdf bsdf(const MaterialPoint& point, SampledWavelengths& lambda) const override;
     const Interior* interior() const override { return &interior_; }
     bool filtersTextures() const override { return facets_.isFiltered(); }
+    bool isPolished() const override { return facets_.isPolished(); }
 
   private:
     Interior interior_;

@@ -10,6 +10,7 @@ class InterfaceMaterial final : public Material {
     /// Passes everything straight on, for those who do not ask isInterface() first.
     Bsdf bsdf(const MaterialPoint& point, SampledWavelengths& lambda) const override;
     bool isInterface() const override { return true; }
+    bool isPolished() const override { return true; }
 };
 
 } // namespace vitrine

@@ -11,28 +11,34 @@ namespace {
 /// No solid has such an index in visible light, nor its inverse; squares of what lies between are in a float's range.
 constexpr float largestIndex = 1e4f;
 
-float alpha(std::string_view name, float roughness, bool remap) {
-    if (!(roughness >= 0) || !std::isfinite(roughness))
-        throw std::invalid_argument(fmt::format("\"{}\" is {}, but must be 0 or more and finite", name, roughness));
+float alphaOf(float roughness, bool remap) {
     return remap ? TrowbridgeReitz::alphaFromRoughness(roughness) : roughness;
 }
 
 } // namespace
 
-Facets::Facets(FloatInput uroughness, FloatInput vroughness, bool remaproughness)
-    : u_(std::move(uroughness)), v_(std::move(vroughness)), remap_(remaproughness),
+Facets::Facets(FloatInput uroughness, FloatInput vroughness, bool remaproughness, const std::string& prefix)
+    : u_(checkedNumber(prefix + "uroughness", std::move(uroughness), 0)),
+      v_(checkedNumber(prefix + "vroughness", std::move(vroughness), 0)), remap_(remaproughness),
       isConstant_(u_.isConstant() && v_.isConstant()) {
-    const float u = alpha("uroughness", u_.constant(), remap_), v = alpha("vroughness", v_.constant(), remap_);
-    if (isConstant_) constant_ = {u, v};
+    if (isConstant_) constant_ = {alphaOf(u_.constant(), remap_), alphaOf(v_.constant(), remap_)};
 }
 
 TrowbridgeReitz Facets::evaluate(const TexturePoint& at) const {
     const auto alphaAt = [&](const FloatInput& input) {
         const float roughness = input(at);
         if (!(roughness > 0) || !std::isfinite(roughness)) return 0.f;
-        return remap_ ? TrowbridgeReitz::alphaFromRoughness(roughness) : roughness;
+        return alphaOf(roughness, remap_);
     };
     return {alphaAt(u_), alphaAt(v_)};
+}
+
+FloatInput checkedNumber(std::string_view name, FloatInput input, float least, float most) {
+    const float value = input.constant();
+    if (!input.isConstant() || (value >= least && value <= most && std::isfinite(value))) return input;
+    const std::string range = std::isfinite(most) ? fmt::format("lie in [{}, {}]", least, most)
+                                                  : fmt::format("be {} or more and finite", least);
+    throw std::invalid_argument(fmt::format("\"{}\" is {}, but must {}", name, value, range));
 }
 
 SpectrumPtr checkedSpectrum(std::string_view name, SpectrumPtr spectrum, const SpectrumPtr& otherwise, float most) {
@@ -57,14 +63,14 @@ SpectrumInput checkedMetalIndex(std::string_view name, SpectrumInput input) {
     return checkedInput(name, std::move(input), nullptr, largestIndex);
 }
 
-SpectrumPtr checkedIndex(SpectrumPtr spectrum, const SpectrumPtr& otherwise) {
-    SpectrumPtr eta = checkedSpectrum("eta", std::move(spectrum), otherwise, largestIndex);
+SpectrumPtr checkedIndex(SpectrumPtr spectrum, const SpectrumPtr& otherwise, std::string_view name) {
+    SpectrumPtr eta = checkedSpectrum(name, std::move(spectrum), otherwise, largestIndex);
     if (!(eta->maxValue() > 0))
-        throw std::invalid_argument("\"eta\" is 0, but an index of refraction must be positive");
+        throw std::invalid_argument(fmt::format("\"{}\" is 0, but an index of refraction must be positive", name));
     for (float lambda = lambdaMin; lambda <= lambdaMax; lambda += 1)
         if (const float value = (*eta)(lambda); value > 0 && value < 1 / largestIndex)
             throw std::invalid_argument(
-                fmt::format("\"eta\" is {} at {} nm, but must be at least {}", value, lambda, 1 / largestIndex));
+                fmt::format("\"{}\" is {} at {} nm, but must be at least {}", name, value, lambda, 1 / largestIndex));
     return eta;
 }
 

@@ -4,6 +4,7 @@
 #include "bsdfs/microfacet.h"
 #include "textures/texture.h"
 
+#include <string>
 #include <string_view>
 
 namespace vitrine {
@@ -13,9 +14,12 @@ class Facets {
   public:
     /// Of textures what is negative or not finite counts as 0.
     /// \throws std::invalid_argument unless constants are finite and not negative.
-    Facets(FloatInput uroughness, FloatInput vroughness, bool remaproughness);
+    /// \param prefix of the parameters' names in messages
+    Facets(FloatInput uroughness, FloatInput vroughness, bool remaproughness, const std::string& prefix = "");
 
     TrowbridgeReitz operator()(const TexturePoint& at) const { return isConstant_ ? constant_ : evaluate(at); }
+    /// Everywhere.
+    bool isPolished() const { return isConstant_ && constant_.effectivelySmooth(); }
     bool isFiltered() const { return u_.isFiltered() || v_.isFiltered(); }
 
   private:
@@ -38,8 +42,12 @@ SpectrumInput checkedInput(std::string_view name, SpectrumInput input, const Spe
 /// As checkedInput, for "eta" and "k" of a metal: what is absurdly large is refused.
 SpectrumInput checkedMetalIndex(std::string_view name, SpectrumInput input);
 
+/// A number that may be a texture, what that gives is bounded where it is used.
+/// \throws std::invalid_argument unless a constant lies in [least, most] and is finite.
+FloatInput checkedNumber(std::string_view name, FloatInput input, float least, float most = infinity);
+
 /// As checkedSpectrum; an index of refraction must also be positive somewhere, and there neither absurdly large nor small.
-SpectrumPtr checkedIndex(SpectrumPtr spectrum, const SpectrumPtr& otherwise);
+SpectrumPtr checkedIndex(SpectrumPtr spectrum, const SpectrumPtr& otherwise, std::string_view name = "eta");
 
 /// The index at the hero wavelength, relative to `etaOutside`. Ends the secondary wavelengths, which would be bent
 /// elsewhere, when the index disperses. Where the spectrum has no data it counts as 1 (as pbrt-v4).

@@ -15,6 +15,7 @@ class ThinDielectricMaterial final : public Material {
     explicit ThinDielectricMaterial(SpectrumPtr eta = nullptr);
 
     Bsdf bsdf(const MaterialPoint& point, SampledWavelengths& lambda) const override;
+    bool isPolished() const override { return true; }
 
   private:
     SpectrumPtr eta_;

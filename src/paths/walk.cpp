@@ -86,6 +86,7 @@ TexturePoint Walk::texturePoint(const Vertex& vertex) const {
 Bsdf Walk::bsdfAt(const Vertex& vertex) {
     const bool wasWhole = !lambda_.secondaryTerminated();
     MaterialPoint at{texturePoint(vertex)};
+    at.wo = vertex.wo;
     if (const Interior* outside = vertex.crossing.outside; outside && outside->priority) {
         at.etaOutside = (*outside->eta)(lambda_.hero());
         // A conductor or a diffuse surface does not bend light: only a dielectric's angle depends on wavelength.

@@ -93,6 +93,7 @@ void EyePaths::follow(Path path, SampleStream& stream, std::vector<GatherPoint>&
         const float uLobe = stream.get1D();
         const V2f uDirection = stream.get2D();
 
+        const bool gatheredBefore = path.causticsGathered;
         const bool gathers = uGather < gatherProbability(bsdf, LightHistory::Scattered);
         // Where photons bring the direct light nothing else does.
         const bool asksLights = bsdf.isNonSpecular() && !(gathers && settings_.directByPhotons);
@@ -100,7 +101,8 @@ void EyePaths::follow(Path path, SampleStream& stream, std::vector<GatherPoint>&
             light += walk.beta * directLight(world_, walk, vertex, bsdf, uLight, uDirect);
         if (gathers) {
             gather(path, vertex, bsdf, LightHistory::Scattered, points);
-            if (settings_.directByPhotons) break;
+            const bool hasDelta = bsdf.lobes() & lobe::specular;
+            if (settings_.directByPhotons && !hasDelta) break;
             path.ends = true;
         } else if (bsdf.isNonSpecular()) {
             path.causticsGathered = uGather < gatherProbability(bsdf, LightHistory::Caustic);
@@ -131,6 +133,13 @@ void EyePaths::follow(Path path, SampleStream& stream, std::vector<GatherPoint>&
         }
         const auto scattered = walk.scatter(vertex, bsdf, uLobe, uDirection);
         if (!scattered) break;
+        if (scattered->specular) {
+            // Also beside other lobes, on a polished coat, a delta lobe is a mirror: what was gathered is the others'.
+            path.ends = false;
+            path.causticsGathered = gatheredBefore;
+        } else if (path.ends && settings_.directByPhotons) {
+            break;
+        }
         path.last = {receiverAt(vertex, bsdf), scattered->pdf, scattered->specular};
         if (path.ends && !lightReach_.mayMeet(walk.ray)) break;
     }

@@ -23,7 +23,7 @@ class WorldBuilder {
 
     World build() {
         refuseMedia();
-        buildMaterials();
+        materials_ = buildMaterials(context_);
         context_.textures().buildRest();
         checkUnusedAreaLights();
         for (const auto& node : context_.nodes().shapes)
@@ -53,11 +53,6 @@ class WorldBuilder {
         for (const auto& medium : context_.nodes().media)
             if (medium.place) // else it was named, but is not there
                 context_.diagnostics().error(medium.place, "participating media are not yet supported");
-    }
-
-    void buildMaterials() {
-        for (const auto& node : context_.nodes().materials)
-            materials_.push_back(buildMaterial(context_, node));
     }
 
     /// Those are never built, but what stands in them shall be right.

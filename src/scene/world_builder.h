@@ -22,8 +22,8 @@ World buildWorld(BuildContext& context, const LightUse& lightUse);
 /// The shapes of a node: one, or two for a bilinear mesh with planar and curved patches.
 std::vector<ShapePtr> buildShape(BuildContext& context, const ShapeNode& node);
 
-/// Null for an interface. Materials are built once however many shapes have them.
-MaterialPtr buildMaterial(BuildContext& context, const MaterialNode& node);
+/// All of the scene's, in the order of its nodes; null for those that are wrong (then recorded).
+std::vector<MaterialPtr> buildMaterials(BuildContext& context);
 
 /// A light of LightSource.
 LightPtr buildLight(BuildContext& context, const LightNode& node);

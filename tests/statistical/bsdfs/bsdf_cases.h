@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bsdfs/bsdf.h"
+#include "core/frame.h"
 #include "core/random.h"
 
 #include <string>
@@ -28,6 +29,11 @@ inline NamedBsdf diffuseCase() {
     return {"diffuse", DiffuseBsdf(SampledSpectrum(0.1f, 0.9f, 0.5f, 0.7f))};
 }
 
+inline NamedBsdf sheetCase() {
+    return {"diffuse transmission",
+            DiffuseTransmissionBsdf(SampledSpectrum(0.1f, 0.6f, 0.5f, 0.7f), SampledSpectrum(0.3f, 0.2f, 0.5f, 0.1f))};
+}
+
 /// Copper, silver and glass-like lanes at once.
 inline NamedBsdf conductorCase(const V2f& alpha) {
     const SampledSpectrum eta(0.24f, 0.05f, 1.1f, 1.5f), k(3.4f, 4.2f, 2.3f, 0.f);
@@ -46,7 +52,7 @@ inline NamedBsdf dielectricCase(float eta, const V2f& alpha) {
 }
 
 inline std::vector<NamedBsdf> roughCases() {
-    std::vector<NamedBsdf> cases = {diffuseCase()};
+    std::vector<NamedBsdf> cases = {diffuseCase(), sheetCase()};
     for (const V2f& alpha : roughnesses()) {
         cases.push_back(conductorCase(alpha));
         for (float eta : {1.5f, 1 / 1.5f, 2.4f})
