@@ -89,9 +89,10 @@ void warnOfPicture(const Film& film, const RenderCounters& counters) {
         tellLine("vitrine: warning: {} times a path lost track of the solids it was in: solids with a priority that "
                  "touch must overlap, and each must be closed",
                  counters.lostExits.load());
-    // Without any photon all light may be direct, and after few paths nothing can be said.
-    constexpr std::uint64_t enough = 1000;
-    if (counters.photons > 0 && counters.photonPaths >= enough && counters.gatherPoints > 0 && counters.gathered == 0)
+    // Where few paths leave photons nearly all light may be direct, which they do not carry; and few say nothing.
+    constexpr std::uint64_t enough = 1000, leastShare = 100;
+    if (counters.photons >= std::max(enough, counters.photonPaths / leastShare) && counters.gatherPoints > 0 &&
+        counters.gathered == 0)
         tellLine("vitrine: warning: photons never reach what the camera sees: of {} none lies near the {} points where "
                  "its paths end",
                  counters.photons.load(), counters.gatherPoints.load());

@@ -10,6 +10,8 @@ namespace {
 
 /// Pixels are added to by strips of so many rows, each by one thread.
 constexpr int stripRows = 16;
+/// Paths whose splats are kept until they are added: a pass may have many millions. Enough for 64 threads.
+constexpr std::uint64_t pathsAtOnce = 64 * pathsOfBlock;
 
 } // namespace
 
@@ -27,6 +29,9 @@ struct LightTracingIntegrator::Splats {
 
 void LightTracingIntegrator::check(const World& world) const {
     if (world.lights.empty()) throw std::invalid_argument("light tracing needs a light: this scene has none");
+    if (!hasUnpolishedSurface(world))
+        throw std::invalid_argument("light tracing needs a surface that is not polished, to connect it to the camera: "
+                                    "this scene has none. The path integrator renders it");
 }
 
 /// Lights that the camera sees without anything that scatters between them: one camera ray a pixel.
@@ -98,13 +103,14 @@ void LightTracingIntegrator::splat(const V2d& raster, const SampledSpectrum& val
         }
 }
 
-void LightTracingIntegrator::addLightPaths(const World& world, std::uint64_t pass, const SampledWavelengths& lambda,
-                                           Film& film, RenderCounters& counters) const {
+void LightTracingIntegrator::addLightPaths(const World& world, std::uint64_t pass, std::uint64_t first,
+                                           std::uint64_t last, const SampledWavelengths& lambda, Film& film,
+                                           RenderCounters& counters) const {
     const auto strips = std::size_t((film.settings().cropSize().y + stripRows - 1) / stripRows);
     const auto blocks = traceInBlocks(
-        pathsPerPass_, Splats{std::vector<std::vector<Splat>>(strips)}, [&](std::uint64_t path, Splats& splats) {
+        last - first, Splats{std::vector<std::vector<Splat>>(strips)}, [&](std::uint64_t path, Splats& splats) {
             splats.lostExits += paths_->follow(
-                pass, path, lambda,
+                pass, first + path, lambda,
                 [&](const Vertex& vertex, const Bsdf& bsdf, const Walk& walk, const LightPaths::Arrival& arrival,
                     SampleStream& stream) { connect(world, vertex, bsdf, walk, arrival.hero, stream, film, splats); });
         });
@@ -117,7 +123,7 @@ void LightTracingIntegrator::addLightPaths(const World& world, std::uint64_t pas
     });
     for (const Splats& splats : blocks)
         counters.lostExits.fetch_add(std::uint64_t(splats.lostExits), std::memory_order_relaxed);
-    counters.photonPaths.fetch_add(pathsPerPass_, std::memory_order_relaxed);
+    counters.photonPaths.fetch_add(last - first, std::memory_order_relaxed);
 }
 
 void LightTracingIntegrator::addPasses(const World& world, PassRange passes, Film& film, RenderCounters& counters) {
@@ -129,7 +135,8 @@ void LightTracingIntegrator::addPasses(const World& world, PassRange passes, Fil
         const SampledWavelengths lambda = passWavelengths(pass, sampler_.seed);
         film.addPassWavelengths(lambda);
         addSeenLights(world, pass, lambda, film, counters);
-        addLightPaths(world, pass, lambda, film, counters);
+        for (std::uint64_t first = 0; first < pathsPerPass_; first += pathsAtOnce)
+            addLightPaths(world, pass, first, std::min(first + pathsAtOnce, pathsPerPass_), lambda, film, counters);
     }
 }
 

@@ -27,7 +27,7 @@ class LightTracingIntegrator final : public Integrator {
     LightTracingIntegrator(const LightTracingSettings& settings, const SamplerSettings& sampler)
         : settings_(settings), sampler_(sampler) {}
 
-    /// No lights.
+    /// No lights, or nothing that the camera could be connected to.
     void check(const World& world) const override;
     void addPasses(const World& world, PassRange passes, Film& film, RenderCounters& counters) override;
 
@@ -40,8 +40,9 @@ class LightTracingIntegrator final : public Integrator {
                  SampleStream& stream, const Film& film, Splats& splats) const;
     /// To every pixel whose filter reaches the point.
     static void splat(const V2d& raster, const SampledSpectrum& value, const Film& film, Splats& splats);
-    void addLightPaths(const World& world, std::uint64_t pass, const SampledWavelengths& lambda, Film& film,
-                       RenderCounters& counters) const;
+    /// Of the pass's paths those from `first` to before `last`.
+    void addLightPaths(const World& world, std::uint64_t pass, std::uint64_t first, std::uint64_t last,
+                       const SampledWavelengths& lambda, Film& film, RenderCounters& counters) const;
 
     LightTracingSettings settings_;
     SamplerSettings sampler_;

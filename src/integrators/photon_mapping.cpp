@@ -70,13 +70,7 @@ struct PhotonMappingIntegrator::Gathering {
 
 void PhotonMappingIntegrator::check(const World& world) const {
     if (world.lights.empty()) throw std::invalid_argument("photon mapping needs a light: this scene has none");
-    const auto gathers = [](const Surface& surface) {
-        if (surface.isInterface()) return false;
-        SampledWavelengths lambda = SampledWavelengths::visible(0.5f);
-        const Bsdf bsdf = surface.material->bsdf(MaterialPoint{}, lambda);
-        return gatherProbability(bsdf, LightHistory::Hidden) > 0;
-    };
-    if (std::none_of(world.surfaces.begin(), world.surfaces.end(), gathers))
+    if (!hasUnpolishedSurface(world))
         throw std::invalid_argument("photon mapping needs a surface that is not polished, for photons to land on: "
                                     "this scene has none. The path integrator renders it");
 }

@@ -47,6 +47,10 @@ LightSampler::Shine LightSampler::shineOf(const Light& light, const SceneSphere&
     return shine;
 }
 
+bool LightSampler::isDark(const Light& light, const SceneSphere& lit) {
+    return shineOf(light, lit).isDark;
+}
+
 namespace {
 
 /// Of entries that have `power` and `isDark`: so much of each in proportion to power, the even share alike.

@@ -31,6 +31,9 @@ class LightSampler {
     /// \param lit what is to be lit, with the lights: how much of a light at infinity counts
     LightSampler(std::vector<LightPtr> lights, const SceneSphere& lit, Choice choice = Choice::Power);
 
+    /// Whether a light emits nothing at any nanometre (or is a shape of infinite area, which is never chosen).
+    static bool isDark(const Light& light, const SceneSphere& lit);
+
     bool empty() const { return lights_.empty(); }
     /// For a path that starts at a light. \pre not empty()
     Sample sample(float u) const {

@@ -38,6 +38,8 @@ struct World {
     std::vector<Surface> surfaces;
     LightSampler lights;
     std::vector<const Light*> infiniteLights;
+    /// Of lights.lights(): whether each certainly lies in the same solids all over. Empty: nothing is known.
+    std::vector<bool> undividedLights;
     std::unique_ptr<const Camera> camera;
 
     /// Solids that the camera stands in.

@@ -27,7 +27,7 @@ struct GatherDisk {
 /// How photons in a disk are weighed by their distance from its centre.
 enum class Kernel {
     Constant,    ///< 1 / (pi r^2)
-    Epanechnikov ///< 2 (1 - d^2 / r^2) / (pi r^2) (Silverman 1986, eq. 4.5 in two dimensions)
+    Epanechnikov ///< 2 (1 - d^2 / r^2) / (pi r^2) (Epanechnikov 1969; Silverman 1986, p. 76, in two dimensions)
 };
 
 /// Times pi r^2.

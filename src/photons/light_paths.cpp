@@ -12,14 +12,22 @@ SamplerSettings forPaths(SamplerSettings sampler) {
 
 } // namespace
 
+bool hasUnpolishedSurface(const World& world) {
+    const auto isUnpolished = [](const Surface& surface) {
+        return !surface.isInterface() && !surface.material->isPolished();
+    };
+    return std::any_of(world.surfaces.begin(), world.surfaces.end(), isUnpolished);
+}
+
 LightPaths::LightPaths(const World& world, int maxVertices, const SamplerSettings& sampler)
     : world_(world), maxVertices_(maxVertices), sampler_(forPaths(sampler)) {
     if (!world.hasNestedDielectrics && !world.hasAbsorption) return;
-    // Looking for the solids round each path's start costs two rays or more. Lights that lie in one and the same all
-    // over, by a sample of their rays, spare it.
+    // Looking for the solids round each path's start costs two rays or more. Lights that no surface of a solid divides spare
+    // it. Where solids are open, so that rays beside each other find others, the trials tell.
     constexpr int trials = 64;
     const SampledWavelengths lambda = SampledWavelengths::visible(0.5f);
-    for (std::size_t i = 0; i < world.lights.lights().size(); ++i) {
+    for (std::size_t i = 0; i < world.undividedLights.size(); ++i) {
+        if (!world.undividedLights[i]) continue;
         const Light* light = world.lights.lights()[i].get();
         RandomStream random(sampler.seed, i);
         std::optional<InteriorStack> common;

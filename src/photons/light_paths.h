@@ -47,15 +47,20 @@ class LightPaths {
     std::unordered_map<const Light*, InteriorStack> interiors_;
 };
 
+/// Whether there is a surface that is not polished: else photons land nowhere, and the camera cannot be connected to.
+bool hasUnpolishedSurface(const World& world);
+
+/// Paths that one thread traces in a row.
+inline constexpr std::uint64_t pathsOfBlock = 4096;
+
 /// Calls onPath(path, block) for all paths of a pass, in blocks that are the same for any number of threads; those of a block
 /// in order, on one thread, with onEnd(block) when they are done. \return the blocks, which began as `empty`
 template <class Block, class OnPath, class OnEnd>
 std::vector<Block> traceInBlocks(std::uint64_t paths, const Block& empty, OnPath&& onPath, OnEnd&& onEnd) {
-    constexpr std::uint64_t blockSize = 4096;
-    std::vector<Block> blocks((paths + blockSize - 1) / blockSize, empty);
+    std::vector<Block> blocks((paths + pathsOfBlock - 1) / pathsOfBlock, empty);
     tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t b) {
         const PlainArithmetic plain;
-        for (std::uint64_t path = b * blockSize; path < std::min(paths, (b + 1) * blockSize); ++path)
+        for (std::uint64_t path = b * pathsOfBlock; path < std::min(paths, (b + 1) * pathsOfBlock); ++path)
             onPath(path, blocks[b]);
         onEnd(blocks[b]);
     });

@@ -12,7 +12,7 @@ namespace vitrine {
 /// \param alpha in (0, 1]; 1: the radius stays
 float sharedRadiusFactor(std::uint64_t pass, double alpha);
 
-/// One radius a point, by the photons that it found (Hachisuka, Ogaki & Jensen 2008, eq. 6 and 7):
+/// One radius a point, by the photons that it found (Hachisuka, Ogaki & Jensen 2008, on radius reduction):
 /// R'^2 = R^2 (N + alpha M) / (N + M), N' = N + alpha M. Held as a factor of the base radius.
 struct PointRadius {
     float factor = 1;

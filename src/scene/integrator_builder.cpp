@@ -11,10 +11,11 @@ namespace vitrine {
 
 namespace {
 
-/// The scene's sampler, and whether its seed is the command line's.
+/// The scene's sampler, whether its seed is the command line's, and where to say what is odd.
 struct Sampling {
     SamplerSettings settings;
     bool seedIsOverride;
+    Diagnostics& diagnostics;
 };
 
 /// Of photon integrators: with a seed of their own, if they have one. The command line's comes first.
@@ -70,9 +71,13 @@ std::int64_t pathsPerPass(const ParameterSet& p) {
     return paths;
 }
 
-PhotonMappingSettings photonMapping(const ParameterSet& p) {
+PhotonMappingSettings photonMapping(const ParameterSet& p, const Sampling& sampling) {
     PhotonMappingSettings s;
     s.eye.maxDepth = maxDepth(p, s.eye.maxDepth);
+    if (constexpr int deepest = Photon::maxDepth + 1; s.eye.maxDepth > deepest)
+        sampling.diagnostics.warning(
+            p.place("maxdepth"),
+            fmt::format("paths of photons end after {} scattering events: light that needs more is missing", deepest));
     s.photonsPerPass = pathsPerPass(p);
     s.rule = p.getChoice("radiusrule", "shared", {"shared", "perpoint"}) == "shared" ? RadiusRule::Shared
                                                                                      : RadiusRule::PerPoint;
@@ -98,14 +103,14 @@ IntegratorPlan lightPath(const ParameterSet& p, const Sampling& sampling) {
 }
 
 IntegratorPlan sppm(const ParameterSet& p, const Sampling& sampling) {
-    PhotonMappingSettings s = photonMapping(p);
+    PhotonMappingSettings s = photonMapping(p, sampling);
     s.search = p.getChoice("lookup", "grid", {"grid", "naive"}) == "grid" ? PhotonSearch::Grid : PhotonSearch::Naive;
     return {
         std::make_unique<PhotonMappingIntegrator>(s, withOwnSeed(p, sampling)), {lightChoice(p), true, {}}, passes(p)};
 }
 
 IntegratorPlan ppm(const ParameterSet& p, const Sampling& sampling) {
-    PhotonMappingSettings s = photonMapping(p);
+    PhotonMappingSettings s = photonMapping(p, sampling);
     s.fixedEyePaths = s.eye.branch = true;
     s.eyePathsPerPixel = p.getInteger("hitpointsperpixel", 4);
     if (s.eyePathsPerPixel < 1 || s.eyePathsPerPixel > 4096)
@@ -136,7 +141,7 @@ constexpr RegistryEntry<IntegratorBuilder> integratorTypes[] = {{"path", path},
 
 IntegratorPlan buildIntegrator(BuildContext& context, const Overrides& overrides, const SamplerSettings& sampler) {
     const Node& written = context.nodes().integrator;
-    const Sampling sampling{sampler, overrides.seed.has_value()};
+    const Sampling sampling{sampler, overrides.seed.has_value(), context.diagnostics()};
     if (overrides.integrator.empty() || overrides.integrator == written.type)
         return context.guarded(written, [&] {
             auto plan =

@@ -1,6 +1,7 @@
 #include "scene/world_builder.h"
 
 #include "lights/scene_sphere.h"
+#include "scene/undivided_lights.h"
 #include "shapes/revolution/profile_crossing.h"
 #include "shapes/revolution/revolution.h"
 
@@ -43,6 +44,7 @@ class WorldBuilder {
         // A scene that is wrong is never rendered: no need to build the tree.
         if (context_.diagnostics().hasErrors()) return {};
         const bool unbounded = hasUnbounded();
+        if (lightUse_.startsPaths) world_.undividedLights = findUndividedLights(input_, world_.surfaces, lights_);
         world_.caster = makeCaster(std::move(input_));
         placeLights(unbounded);
         return std::move(world_);
@@ -208,7 +210,18 @@ class WorldBuilder {
         SceneSphere sphere = SceneSphere::around(chosenBy);
         // Of no size, it still tells lights at infinity from each other.
         sphere.radius = sphere.radius > 0 ? std::min(sphere.radius, farthest) : 1;
+        warnOfDarkness(sphere);
         world_.lights = LightSampler(std::move(lights_), sphere, lightUse_.choice);
+    }
+
+    void warnOfDarkness(const SceneSphere& lit) {
+        const auto isDark = [&](const LightPtr& light) {
+            return isFinite(light->bounds().size()) && LightSampler::isDark(*light, lit);
+        };
+        if (lights_.empty() || !std::all_of(lights_.begin(), lights_.end(), isDark)) return;
+        const SceneNodes& nodes = context_.nodes();
+        const Node& first = nodes.lights.empty() ? nodes.areaLights.front() : nodes.lights.front();
+        context_.diagnostics().warning(first.place, "no light of this scene shines: they are black");
     }
 
     /// No density over a plane without end keeps the noise of what it reflects finite (docs/decisions.md, "Photon mapping").
