@@ -40,7 +40,12 @@ class BruteForceCaster final : public Caster {
     }
 
     Box3d bounds() const override { return bounds_; }
-    std::size_t memoryBytes() const override { return sizeof(*this); }
+    std::size_t memoryBytes() const override {
+        std::size_t bytes = sizeof(*this) + memoryOf(input_.shapes);
+        for (const auto& group : input_.groups)
+            bytes += memoryOf(group);
+        return bytes;
+    }
 
   private:
     static void intersectShapes(const std::vector<CasterShape>& shapes, const CastRay& ray, CasterHit& best) {

@@ -82,6 +82,9 @@ EmbreeCaster::EmbreeCaster(CasterInput input) {
     anyBounded_ = !world_->empty() || !placed_.empty();
     anyUnbounded_ = !world_->unbounded().empty();
     bytes_ = sizeof(*this) + world_->memoryBytes() + bytesInUse() - std::min(before, bytesInUse());
+    bytes_ += memoryOf(input.shapes);
+    for (const auto& shapes : input.groups)
+        bytes_ += memoryOf(shapes);
     for (const auto& group : groups_) {
         anyUnbounded_ |= !group->unbounded().empty();
         bytes_ += group->memoryBytes();

@@ -61,7 +61,8 @@ class FlatCaster final : public Caster {
     bool occluded(const Ray& ray) const override;
     Box3d bounds() const override { return bounds_; }
     std::size_t memoryBytes() const override {
-        return sizeof(*this) + primitives_.capacity() * sizeof(Primitive) + boxes_.capacity() * sizeof(Boxes);
+        return sizeof(*this) + primitives_.capacity() * sizeof(Primitive) + boxes_.capacity() * sizeof(Boxes) +
+               shapeBytes_;
     }
 
   private:
@@ -94,9 +95,11 @@ class FlatCaster final : public Caster {
     std::uint32_t castShadow_ = 0; ///< bits of those that do
     double reach_ = 0;             ///< largest coordinate of all boxes
     Box3d bounds_;
+    std::size_t shapeBytes_;
 };
 
-FlatCaster::FlatCaster(const CasterInput& input) : bounds_(boundsOf(input.shapes)) {
+FlatCaster::FlatCaster(const CasterInput& input)
+    : bounds_(boundsOf(input.shapes)), shapeBytes_(memoryOf(input.shapes)) {
     if (!bounds_.isEmpty()) reach_ = std::max(maxAbs(bounds_.min), maxAbs(bounds_.max));
     // Meshes first: they are quick, and what lies behind them need not be solved.
     for (const bool user : {false, true})

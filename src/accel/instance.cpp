@@ -39,4 +39,11 @@ Box3d boundsOf(const std::vector<CasterShape>& shapes) {
     return box;
 }
 
+std::size_t memoryOf(const std::vector<CasterShape>& shapes) {
+    std::size_t bytes = 0;
+    for (const CasterShape& entry : shapes)
+        bytes += entry.shape->memoryBytes();
+    return bytes;
+}
+
 } // namespace vitrine

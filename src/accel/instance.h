@@ -51,5 +51,7 @@ inline double justAbove(double s) {
 
 /// Bounds of all bounded shapes of the list.
 Box3d boundsOf(const std::vector<CasterShape>& shapes);
+/// Of the shapes themselves: tables of profiles, vertices of meshes.
+std::size_t memoryOf(const std::vector<CasterShape>& shapes);
 
 } // namespace vitrine

@@ -1,6 +1,7 @@
 // What the casters promise beyond agreeing with each other: ties, shadows, segments, instances, extremes.
 #include "accel/caster.h"
 #include "shapes/plane.h"
+#include "shapes/revolution/revolution.h"
 #include "shapes/sphere.h"
 #include "support/meshes.h"
 
@@ -290,6 +291,29 @@ TEST(EmbreeCaster, CountsItsMemory) {
     const std::size_t triangles = input.shapes[0].shape->primitiveCount();
     EXPECT_GT(caster->memoryBytes(), 20 * triangles);
     EXPECT_LT(caster->memoryBytes(), 400 * triangles);
+}
+
+TEST(Caster, CountsTheMemoryOfItsShapes) {
+    std::vector<V2d> points;
+    for (int i = 0; i <= 300; ++i)
+        points.emplace_back(1 + 0.1 * (i % 7), 0.01 * i);
+    const auto turned = std::make_shared<Revolution>(Transform(), false, Profile(points, 1));
+    const std::size_t ofTurned = turned->memoryBytes(), besides = ofTurned / 2;
+    ASSERT_GT(ofTurned, 100'000u);
+    CasterInput input;
+    input.shapes = {{turned, 0, true}};
+    for (const MakeCaster make : {makeCaster, makeEmbreeCaster, makeBruteForceCaster}) {
+        EXPECT_GT(make(input)->memoryBytes(), ofTurned);
+        EXPECT_LT(make(input)->memoryBytes(), ofTurned + besides);
+    }
+    // That of a group once, however often it is placed.
+    input.groups = {input.shapes};
+    for (int i = 1; i <= 5; ++i)
+        input.instances.push_back({0, translation(V3d(4. * i, 0, 0))});
+    for (const MakeCaster make : {makeEmbreeCaster, makeBruteForceCaster}) {
+        EXPECT_GT(make(input)->memoryBytes(), 2 * ofTurned);
+        EXPECT_LT(make(input)->memoryBytes(), 2 * ofTurned + besides);
+    }
 }
 
 } // namespace vitrine::test
