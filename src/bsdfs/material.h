@@ -3,7 +3,7 @@
 
 #include "bsdfs/bsdf.h"
 #include "core/random.h"
-#include "textures/texture.h"
+#include "textures/surface_detail.h"
 
 #include <bit>
 #include <memory>
@@ -43,6 +43,10 @@ class Material {
     virtual Bsdf bsdf(const MaterialPoint& point, SampledWavelengths& lambda) const = 0;
     /// What is there: another material than this where it is a mix.
     virtual const Material& resolve(const MaterialPoint&, const SampledWavelengths&) const { return *this; }
+    /// The relief that it is shaded with, of a resolved material; null: none.
+    virtual const SurfaceDetail* detail() const { return nullptr; }
+    /// Whether it, or a part of a mix, has any.
+    virtual bool hasDetail() const { return false; }
     /// Not null for a surface that bounds a dielectric solid.
     virtual const Interior* interior() const { return nullptr; }
     /// A surface that light passes as if it were not there (pbrt's "interface").

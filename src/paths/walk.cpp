@@ -65,28 +65,40 @@ bool Walk::advance(Vertex& vertex) {
             vertex.crossing.outside = interior_.current();
 
         vertex.scatters = !vertex.surface->isInterface() && vertex.crossing.isReal;
-        if (vertex.scatters) vertex.frame = Frame(point.ns, point.dpdu);
+        if (vertex.scatters) {
+            vertex.frame = Frame(point.ns, point.dpdu);
+            if (vertex.surface->hasDetail()) addDetail(vertex);
+        }
         if (vertex.scatters || vertex.surface->light) return true;
         passThrough(vertex);
     }
     return false;
 }
 
-TexturePoint Walk::texturePoint(const Vertex& vertex) const {
+MaterialPoint Walk::materialPoint(const Vertex& vertex) const {
     const SurfacePoint& point = vertex.point();
-    TexturePoint at;
+    MaterialPoint at;
     at.p = point.p;
     at.ng = point.ng;
     at.uv = point.uv;
+    at.wo = vertex.wo;
     if (vertex.surface->filtersTextures())
         if (const double side = pixelSide(); side > 0) spreadOver(point, vertex.wo, float(side * filteredShare), at);
     return at;
 }
 
+void Walk::addDetail(Vertex& vertex) const {
+    const MaterialPoint at = materialPoint(vertex);
+    const SurfaceDetail* detail = vertex.surface->material->resolve(at, lambda_).detail();
+    if (!detail) return;
+    const ShadingDirections directions = detail->shade(vertex.point(), at);
+    vertex.hit.point.ns = directions.n;
+    vertex.frame = Frame(directions.n, directions.tangent);
+}
+
 Bsdf Walk::bsdfAt(const Vertex& vertex) {
     const bool wasWhole = !lambda_.secondaryTerminated();
-    MaterialPoint at{texturePoint(vertex)};
-    at.wo = vertex.wo;
+    MaterialPoint at = materialPoint(vertex);
     if (const Interior* outside = vertex.crossing.outside; outside && outside->priority) {
         at.etaOutside = (*outside->eta)(lambda_.hero());
         // A conductor or a diffuse surface does not bend light: only a dielectric's angle depends on wavelength.

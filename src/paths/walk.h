@@ -64,7 +64,8 @@ class Walk {
     std::optional<Scattered> scatter(const Vertex& vertex, const Bsdf& bsdf, float uc, const V2f& u);
 
   private:
-    TexturePoint texturePoint(const Vertex& vertex) const;
+    MaterialPoint materialPoint(const Vertex& vertex) const;
+    void addDetail(Vertex& vertex) const;
 
     const World& world_;
     TransportMode mode_;

@@ -16,8 +16,8 @@ struct Surface {
 
     explicit Surface(MaterialPtr made, const AreaLight* shines = nullptr)
         : material(std::move(made)), light(shines), interior_(material ? material->interior() : nullptr),
-          isInterface_(!material || material->isInterface()),
-          filtersTextures_(material && material->filtersTextures()) {}
+          isInterface_(!material || material->isInterface()), filtersTextures_(material && material->filtersTextures()),
+          hasDetail_(material && material->hasDetail()) {}
 
     /// Not null for a surface that bounds a dielectric solid.
     const Interior* interior() const { return interior_; }
@@ -25,11 +25,13 @@ struct Surface {
     bool isInterface() const { return isInterface_; }
     /// It has a texture that asks for the pixel's footprint.
     bool filtersTextures() const { return filtersTextures_; }
+    /// It is shaded with relief.
+    bool hasDetail() const { return hasDetail_; }
 
   private:
     // Asked at every vertex: a copy is nearer than a virtual function.
     const Interior* interior_;
-    bool isInterface_, filtersTextures_;
+    bool isInterface_, filtersTextures_, hasDetail_;
 };
 
 /// Everything that integrators read. Immutable once prepared; shared by all threads.
