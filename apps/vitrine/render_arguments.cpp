@@ -2,6 +2,7 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "scene/texture_images.h"
 
 #include <fmt/format.h>
 
@@ -55,6 +56,9 @@ void readOverrides(RenderArguments& a) {
     if (!(a.time >= 0) || !std::isfinite(a.time)) throw std::invalid_argument("--time takes seconds");
     if (!(a.error >= 0)) throw std::invalid_argument("--error takes a relMSE");
     if (a.threads < 0 || a.threads > 4096) throw std::invalid_argument("--nthreads takes a count of threads");
+    if (a.textureCache && (*a.textureCache < 1 || *a.textureCache > TextureImages::mostMegabytes))
+        throw std::invalid_argument("--texture-cache takes megabytes");
+    o.textureCacheMegabytes = a.textureCache;
     if (a.denoise) throw NotYetSupported("--denoise is not yet supported");
     if (!a.aov.empty()) throw NotYetSupported("--aov is not yet supported");
     if (!a.displayServer.empty()) throw NotYetSupported("--display-server is not yet supported");
@@ -78,6 +82,8 @@ void addRenderFlags(CLI::App& command, RenderArguments& a) {
                        "Stop at this estimated relMSE (without --spp: as many samples as it takes)");
     command.add_option("--seed", a.seed, "Seed of all random numbers");
     command.add_option("--nthreads", a.threads, "Threads; 0: all. The picture does not depend on it");
+    command.add_option("--texture-cache", a.textureCache,
+                       "Megabytes of image textures in memory (1024). The picture does not depend on it");
     command.add_option("--resolution", a.resolution, "WxH in place of the scene's");
     command.add_option("--cropwindow", a.cropWindow, "X0,X1,Y0,Y1 in [0,1]: render this part only");
     command.add_option("--pixelbounds", a.pixelBounds, "X0,X1,Y0,Y1 in pixels: render this part only");

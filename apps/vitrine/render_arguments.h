@@ -16,6 +16,7 @@ struct RenderArguments {
     std::string spp, passes, resolution, cropWindow, pixelBounds, progress = "auto", seed;
     double time = 0, error = 0, checkpointEvery = 60;
     int threads = 0;
+    std::optional<int> textureCache;
     std::string checkpoint, partial, stats;
     bool resume = false, watch = false, denoise = false;
     std::string aov, displayServer;

@@ -18,7 +18,7 @@ struct OptionInfo {
     OptionType type;
 };
 
-constexpr std::array<OptionInfo, 11> knownOptions = {{
+constexpr std::array<OptionInfo, 12> knownOptions = {{
     {"disablepixeljitter", OptionType::Bool},
     {"disabletexturefiltering", OptionType::Bool},
     {"disablewavelengthjitter", OptionType::Bool},
@@ -29,6 +29,7 @@ constexpr std::array<OptionInfo, 11> knownOptions = {{
     {"pixelstats", OptionType::Bool},
     {"rendercoordsys", OptionType::CoordinateSystem},
     {"seed", OptionType::Integer},
+    {"texturecachemb", OptionType::Integer},
     {"wavefront", OptionType::Bool},
 }};
 

@@ -1,4 +1,4 @@
-// The Option directive: pbrt-v4's table of names and types.
+// The Option directive: pbrt-v4's table of names and types, and "texturecachemb".
 #pragma once
 
 #include "nodes/lexer.h"

@@ -1,6 +1,7 @@
 // What all builders share while a scene's nodes are turned into objects.
 #pragma once
 
+#include "scene/texture_images.h"
 #include "scene/texture_library.h"
 #include "spectrum/colorspace.h"
 
@@ -12,12 +13,13 @@ namespace vitrine {
 class BuildContext {
   public:
     BuildContext(const SceneNodes& nodes, Diagnostics& diagnostics)
-        : nodes_(nodes), diagnostics_(diagnostics), textures_(*this, nodes) {}
+        : nodes_(nodes), diagnostics_(diagnostics), textures_(*this, nodes), images_(nodes) {}
     BuildContext(const BuildContext&) = delete;
 
     const SceneNodes& nodes() const { return nodes_; }
     Diagnostics& diagnostics() { return diagnostics_; }
     TextureLibrary& textures() { return textures_; }
+    TextureImages& images() { return images_; }
 
     /// Runs `build()` for a node, turns what it throws into diagnostics at the node's place, and reports unread
     /// parameters. Empty (value-initialised) result after an error.
@@ -66,6 +68,7 @@ class BuildContext {
     const SceneNodes& nodes_;
     Diagnostics& diagnostics_;
     TextureLibrary textures_;
+    TextureImages images_;
     std::set<std::string> files_;
     std::size_t primitives_ = 0;
     std::map<std::string, SpectrumPtr> spectra_;

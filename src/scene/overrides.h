@@ -17,6 +17,7 @@ struct Overrides {
     std::optional<V2i> resolution;
     std::optional<std::array<double, 4>> cropWindow; ///< x0 x1 y0 y1 in [0, 1]
     std::optional<std::array<int, 4>> pixelBounds;   ///< x0 x1 y0 y1
+    std::optional<int> textureCacheMegabytes;        ///< in place of Option "texturecachemb"
     bool quick = false;                              ///< a quarter of the resolution, one sample
     std::vector<std::string> settings;               ///< key=value of --set
 };

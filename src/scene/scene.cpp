@@ -153,6 +153,9 @@ Scene buildScene(ParsedScene parsed, const Overrides& overrides) {
         settings.parameters.push_back(parseSetting(text));
     settings.addTo(nodes);
 
+    if (overrides.textureCacheMegabytes)
+        nodes.options["texturecachemb"] = {"texturecachemb", *overrides.textureCacheMegabytes, {}};
+
     Diagnostics diagnostics;
     for (const auto& d : parsed.diagnostics)
         if (d.severity == Diagnostic::Severity::Error)

@@ -1,3 +1,4 @@
+#include "scene/image_texture_builder.h"
 #include "scene/mapping_builder.h"
 #include "scene/registry.h"
 #include "textures/bilerp.h"
@@ -132,20 +133,29 @@ SpectrumTexturePtr marble(BuildContext& context, const TextureNode& node, Spectr
 using FloatTextureBuilder = FloatTexturePtr (*)(BuildContext&, const TextureNode&);
 using SpectrumTextureBuilder = SpectrumTexturePtr (*)(BuildContext&, const TextureNode&, SpectrumUse);
 
-constexpr RegistryEntry<FloatTextureBuilder> floatTextureTypes[] = {
-    {"constant", constant}, {"scale", scale},
-    {"mix", mix},           {"directionmix", directionMix},
-    {"bilerp", bilerp},     {"checkerboard", checkerboard},
-    {"dots", dots},         {"fbm", fbm},
-    {"wrinkled", wrinkled}, {"windy", windy},
-    {"imagemap"},           {"ptex"}};
+constexpr RegistryEntry<FloatTextureBuilder> floatTextureTypes[] = {{"constant", constant},
+                                                                    {"scale", scale},
+                                                                    {"mix", mix},
+                                                                    {"directionmix", directionMix},
+                                                                    {"bilerp", bilerp},
+                                                                    {"checkerboard", checkerboard},
+                                                                    {"dots", dots},
+                                                                    {"fbm", fbm},
+                                                                    {"wrinkled", wrinkled},
+                                                                    {"windy", windy},
+                                                                    {"imagemap", buildFloatImageTexture},
+                                                                    {"ptex"}};
 
-constexpr RegistryEntry<SpectrumTextureBuilder> spectrumTextureTypes[] = {
-    {"constant", constant}, {"scale", scale},
-    {"mix", mix},           {"directionmix", directionMix},
-    {"bilerp", bilerp},     {"checkerboard", checkerboard},
-    {"dots", dots},         {"marble", marble},
-    {"imagemap"},           {"ptex"}};
+constexpr RegistryEntry<SpectrumTextureBuilder> spectrumTextureTypes[] = {{"constant", constant},
+                                                                          {"scale", scale},
+                                                                          {"mix", mix},
+                                                                          {"directionmix", directionMix},
+                                                                          {"bilerp", bilerp},
+                                                                          {"checkerboard", checkerboard},
+                                                                          {"dots", dots},
+                                                                          {"marble", marble},
+                                                                          {"imagemap", buildSpectrumImageTexture},
+                                                                          {"ptex"}};
 
 } // namespace
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "nodes/nodes.h"
+#include "textures/spectrum_use.h"
 #include "textures/texture.h"
 
 #include <map>
@@ -10,9 +11,6 @@
 namespace vitrine {
 
 class BuildContext;
-
-/// What a spectrum parameter stands for decides how an RGB triple becomes a spectrum (pbrt-v4's SpectrumType).
-enum class SpectrumUse { Albedo, Unbounded, Illuminant };
 
 class TextureLibrary {
   public:
