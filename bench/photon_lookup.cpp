@@ -51,7 +51,7 @@ std::vector<Photon> makePhotons() {
     std::vector<Photon> photons;
     for (int i = 0; i < photonCount; ++i) {
         const float which = random.uniform(), u = random.uniform(), v = random.uniform();
-        photons.emplace_back(placeOnSurface(which, u, v).p, V3f(0, 0, 1), 1, LightHistory::Scattered,
+        photons.emplace_back(placeOnSurface(which, u, v).p, V3f(0, 0, 1), true, 1, LightHistory::Scattered,
                              SampledSpectrum(1.f));
     }
     return photons;
@@ -179,12 +179,12 @@ void compare(const std::vector<Photon>& photons, std::vector<Contender>& contend
     // Photons a unit of area times pi r^2.
     const float density = photonCount / (24 + pi), radius = std::sqrt(float(wanted) / (pi * density));
     const auto disks = makeDisks(radius, order);
-    const PhotonGrid grid({photons}, 2 * radius), narrow({photons}, radius);
+    const PhotonGrid grid({photons}, 3 * radius), narrow({photons}, 2 * radius);
     PointTree tree;
     const TreeLookup byTree(photons, tree);
     auto all = contenders;
     all.insert(all.begin(), {"grid", [&](auto d) { return askInTiles(grid, d); }});
-    all.push_back({"grid with rows half as wide", [&](auto d) { return askInTiles(narrow, d); }});
+    all.push_back({"grid with narrower rows", [&](auto d) { return askInTiles(narrow, d); }});
     all.push_back({"tree over the disks", [&](auto d) {
                        NearPhotons near;
                        byTree.find(d, near);

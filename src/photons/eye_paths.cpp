@@ -9,9 +9,9 @@ constexpr std::uint32_t bounceDimensions = 6;
 /// How often a path forks, and the least share of the light that a branch must carry.
 constexpr int maxForks = 4;
 constexpr float leastBranch = 0.01f;
-/// Radii lie between these parts of the scene's radius: a disk as large as the scene tells nothing of a place, and float
-/// cannot tell the points of a much smaller one apart.
-constexpr double leastRadius = 1e-6, largestRadius = 0.05;
+/// A disk as large as the scene tells nothing of a place, and single precision cannot tell the points of a much smaller one
+/// apart: radii lie between so many times its resolution and this part of the scene's radius.
+constexpr double leastRadius = 4, largestRadius = 0.05;
 
 } // namespace
 
@@ -34,17 +34,18 @@ EyePaths::EyePaths(const World& world, const EyePathSettings& settings)
         hasHiddenLight_ |= light->isDelta();
 }
 
-float EyePaths::baseRadius(double pixelSide) const {
+float EyePaths::baseRadius(const V3f& center, double pixelSide) const {
     if (settings_.radius > 0) return settings_.radius;
-    const double radius = settings_.radiusInPixels * pixelSide;
-    const double scene = space_.sceneRadius();
-    return float(scene > 0 ? std::clamp(radius, leastRadius * scene, largestRadius * scene) : radius);
+    const double radius = settings_.radiusInPixels * pixelSide, scene = space_.sceneRadius();
+    if (!(scene > 0)) return float(radius);
+    return float(std::max(std::min(radius, largestRadius * scene), leastRadius * space_.resolution(center)));
 }
 
 void EyePaths::gather(const Path& path, const Vertex& vertex, const Bsdf& bsdf, LightHistory from,
                       std::vector<GatherPoint>& points) const {
     const SurfacePoint& at = vertex.point();
-    points.push_back({{space_.fromWorld(at.p), at.ng, baseRadius(path.walk.pixelSide())},
+    const V3f center = space_.fromWorld(at.p);
+    points.push_back({{center, at.ng, baseRadius(center, path.walk.pixelSide())},
                       vertex.frame,
                       vertex.wo,
                       bsdf,

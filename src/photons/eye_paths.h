@@ -38,7 +38,7 @@ class EyePaths {
     bool forks(const Path& path, const Bsdf& bsdf) const;
     void gather(const Path& path, const Vertex& vertex, const Bsdf& bsdf, LightHistory from,
                 std::vector<GatherPoint>& points) const;
-    float baseRadius(double pixelSide) const;
+    float baseRadius(const V3f& center, double pixelSide) const;
 
     const World& world_;
     LightReach lightReach_;

@@ -4,6 +4,15 @@ namespace vitrine {
 
 namespace {
 
+/// How far a point may leave its surface by `step`: all of the way, or half of the way to what lies there.
+double freeShare(const World& world, const V3d& from, const V3d& step, double offset) {
+    const double first = offset / step.length(); // off the surface itself
+    if (!(first < 1)) return 1;
+    CasterHit hit;
+    if (!world.caster->intersect(Ray{from + step * first, step, 1 - first}, hit)) return 1;
+    return (first + hit.s) / 2;
+}
+
 /// Whether the photon sees the disk's centre along the surface, on the side that it came from.
 bool seen(const World& world, const PhotonSpace& space, const GatherDisk& disk, const Photon& photon) {
     const V3f apart = photon.p() - disk.center;
@@ -16,10 +25,12 @@ bool seen(const World& world, const PhotonSpace& space, const GatherDisk& disk, 
     const V3d up = toDouble(disk.normal * (side * lift));
     // The photon's end of the line lies off its own surface too, the way it came: a sheet without thickness has two sides.
     const V3d off = up + toDouble(photon.w() * (leastLift * distance));
-    const V3d from = space.toWorld(disk.center) + up, down = space.toWorld(photon.p());
-    if (world.caster->occluded(Ray{from, down + off - from, 1})) return false;
-    // What was moved may have passed through a wall: back again, nearly to the surface.
-    return !world.caster->occluded(Ray{down + off, -off, 0.9});
+    const V3d center = space.toWorld(disk.center), place = space.toWorld(photon.p());
+    // A solid may stand closer than that: both ends stay in the gap before it, lest its own surface hide one from the other.
+    const double share = std::min(freeShare(world, center, up, space.resolution(disk.center)),
+                                  freeShare(world, place, off, space.resolution(photon.p())));
+    const V3d from = center + up * share;
+    return !world.caster->occluded(Ray{from, place + off * share - from, 1});
 }
 
 /// 0 below `from`, 1 above `to`, smooth between.
@@ -48,6 +59,9 @@ SampledSpectrum Gatherer::contribution(const GatherPoint& point, const V3f& wo, 
                                        float radius2) const {
     if (point.depth + 1 + photon.depth() > maxDepth || photon.history() < point.from) return SampledSpectrum(0.f);
     const V3f w = photon.w(), wi = point.frame.toLocal(w);
+    // On the other side of its own surface: of a thin solid through which light passes it landed on the other face.
+    if ((point.bsdf.lobes() & lobe::transmission) && photon.front() != (w.dot(point.disk.normal) > 0))
+        return SampledSpectrum(0.f);
     const SampledSpectrum f = point.bsdf.f(wo, wi, TransportMode::Radiance);
     // Photons lie as densely as the geometric cosine says; the light reflected goes by the shading cosine.
     constexpr float grazing = 1e-2f; // bounds what a single photon can do

@@ -19,20 +19,23 @@ enum class LightHistory : std::uint8_t {
 class Photon {
   public:
     /// Scattering events that a record can count; longer paths of photons are cut.
-    static constexpr int maxDepth = 255;
+    static constexpr int maxDepth = 169;
 
     /// Not initialised: room for millions of photons is made before they come.
     Photon() = default;
-    /// \param p where (PhotonSpace)  \param w unit, back along the path  \param depth scattering events before it landed
+    /// \param p where (PhotonSpace)  \param w unit, back along the path  \param front it came from the side of the surface's
+    /// geometric normal  \param depth scattering events before it landed
     /// \param power of the path at the pass's wavelengths, not yet divided by the number of paths
-    Photon(const V3f& p, const V3f& w, int depth, LightHistory history, const SampledSpectrum& power)
-        : p_{p.x, p.y, p.z}, packed_(packDirection(w) << 10 | std::uint32_t(history) << 8 | std::uint32_t(depth)),
+    Photon(const V3f& p, const V3f& w, bool front, int depth, LightHistory history, const SampledSpectrum& power)
+        : p_{p.x, p.y, p.z}, packed_(packDirection(w) << 10 |
+                                     (std::uint32_t(depth) * histories + std::uint32_t(history)) * 2 | unsigned(front)),
           power_(power.lanes()) {}
 
     V3f p() const { return V3f(p_[0], p_[1], p_[2]); }
     V3f w() const { return unpackDirection(packed_ >> 10); }
-    int depth() const { return int(packed_ & 255); }
-    LightHistory history() const { return LightHistory(packed_ >> 8 & 3); }
+    bool front() const { return packed_ & 1; }
+    int depth() const { return int((packed_ & 1023) / (2 * histories)); }
+    LightHistory history() const { return LightHistory((packed_ >> 1 & 511) % histories); }
     SampledSpectrum power() const { return SampledSpectrum(power_); }
 
     /// Octahedral, 11 bits a coordinate: at most 0.12 degrees off (Cigolle et al. 2014, "A Survey of Efficient
@@ -41,6 +44,9 @@ class Photon {
     static V3f unpackDirection(std::uint32_t bits);
 
   private:
+    static constexpr std::uint32_t histories = 3;
+    static_assert(2 * histories * (maxDepth + 1) <= 1024);
+
     float p_[3]; // first: a search reads eight places at a time
     std::uint32_t packed_;
     SampledSpectrum::Lanes power_;

@@ -21,8 +21,9 @@ PhotonPass PhotonTracer::trace(std::uint64_t pass, const SampledWavelengths& lam
                 [&](const Vertex& vertex, const Bsdf& bsdf, const Walk& walk, const LightPaths::Arrival& arrival,
                     SampleStream&) {
                     if ((arrival.depth > 0 || settings_.keepDirect) && gatherProbability(bsdf, arrival.history) > 0)
-                        block.photons.emplace_back(space_.fromWorld(vertex.point().p), vertex.wo, arrival.depth,
-                                                   arrival.history, rotatedBack(walk.beta, arrival.hero));
+                        block.photons.emplace_back(space_.fromWorld(vertex.point().p), vertex.wo,
+                                                   vertex.wo.dot(vertex.point().ng) > 0, arrival.depth, arrival.history,
+                                                   rotatedBack(walk.beta, arrival.hero));
                 }));
             block.landedPaths += block.photons.size() > before;
         },

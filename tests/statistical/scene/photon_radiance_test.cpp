@@ -9,12 +9,6 @@
 namespace vitrine {
 namespace {
 
-std::string head(const std::string& camera, const std::string& integrator, int side = 4) {
-    return camera + fmt::format("\nFilm \"rgb\" \"integer xresolution\" {0} \"integer yresolution\" {0}\n"
-                                "Sampler \"zsobol\"\nPixelFilter \"box\"\nIntegrator {1}\nWorldBegin\n",
-                                side, integrator);
-}
-
 /// Within 5 standard errors and half a percent.
 /// \param noisiest the largest standard error, as a part of `expected`, with which this is a test
 void expectRadiance(const std::string& text, double expected, std::uint64_t passes, double noisiest = 0.05) {
@@ -71,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
         Method{"lightpath", "\"lightpath\" \"integer maxdepth\" 60 \"integer photonsperiteration\" 6000"}),
     [](const auto& m) { return std::string(m.param.name); });
 
-// ---- Irradiance of a matt floor seen from above, all light by photons. ----
+// ---- Irradiance of a matt floor seen from above, all light by photons, by next-event estimation, or by light paths. ----
 
 class PhotonIrradiance : public testing::TestWithParam<std::pair<const char*, double>> {};
 
@@ -83,6 +77,7 @@ TEST_P(PhotonIrradiance, OfAMattFloor) {
                               "Shape \"disk\" \"float radius\" 3\n";
     for (const char* integrator : {"\"sppm\" \"integer maxdepth\" 1 \"integer photonsperiteration\" 20000 "
                                    "\"float radius\" .1 \"bool directbyphotons\" true",
+                                   "\"sppm\" \"integer maxdepth\" 1 \"integer photonsperiteration\" 100",
                                    "\"lightpath\" \"integer maxdepth\" 1 \"integer photonsperiteration\" 20000"})
         expectRadiance(head(camera, integrator) + lights + floor, .6 / double(piD) * irradiance, 16);
 }

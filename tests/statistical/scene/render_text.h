@@ -3,7 +3,16 @@
 
 #include "scene/scene.h"
 
+#include <fmt/format.h>
+
 namespace vitrine {
+
+/// The beginning of a scene of side x side pixels. \param camera with all it needs  \param integrator type and parameters
+inline std::string head(const std::string& camera, const std::string& integrator, int side = 4) {
+    return fmt::format("{0}\nFilm \"rgb\" \"integer xresolution\" {1} \"integer yresolution\" {1}\n"
+                       "Sampler \"zsobol\"\nPixelFilter \"box\"\nIntegrator {2}\nWorldBegin\n",
+                       camera, side, integrator);
+}
 
 /// Mean of the whole picture per channel with its standard error, from independent seeds.
 struct Measured {

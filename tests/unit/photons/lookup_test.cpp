@@ -21,7 +21,7 @@ std::vector<Photon> somePhotons(int count, const V3f& middle, std::uint64_t seed
         V3f p(random.uniform() * 2 - 1, random.uniform() * 2 - 1, random.uniform() * 2 - 1);
         p[i % 3] = i % 2 ? 1.f : -1.f;
         if (i % 7 == 0) p = V3f(0.25f, 0.25f, 1);
-        photons.emplace_back(p + middle, V3f(0, 0, 1), i % 5, LightHistory::Scattered, SampledSpectrum(float(i)));
+        photons.emplace_back(p + middle, V3f(0, 0, 1), true, i % 5, LightHistory::Scattered, SampledSpectrum(float(i)));
     }
     return photons;
 }

@@ -27,12 +27,17 @@ TEST(Photon, KeepsItsDirection) {
 }
 
 TEST(Photon, KeepsTheRest) {
-    const Photon photon(V3f(1, -2, 3.5f), V3f(0, 1, 0), 255, LightHistory::Hidden, SampledSpectrum(1, 2, 3, 4));
-    EXPECT_EQ(photon.p(), V3f(1, -2, 3.5f));
-    EXPECT_EQ(photon.depth(), 255);
-    EXPECT_EQ(photon.history(), LightHistory::Hidden);
-    EXPECT_EQ(photon.w(), V3f(0, 1, 0));
-    EXPECT_EQ(photon.power()[2], 3);
+    for (const int depth : {0, 1, 100, Photon::maxDepth})
+        for (const auto history : {LightHistory::Scattered, LightHistory::Caustic, LightHistory::Hidden})
+            for (const bool front : {false, true}) {
+                const Photon photon(V3f(1, -2, 3.5f), V3f(0, 1, 0), front, depth, history, SampledSpectrum(1, 2, 3, 4));
+                EXPECT_EQ(photon.p(), V3f(1, -2, 3.5f));
+                EXPECT_EQ(photon.front(), front);
+                EXPECT_EQ(photon.depth(), depth);
+                EXPECT_EQ(photon.history(), history);
+                EXPECT_EQ(photon.w(), V3f(0, 1, 0));
+                EXPECT_EQ(photon.power()[2], 3);
+            }
 }
 
 TEST(SharedRadius, IsTheProductOfKnausAndZwicker) {
