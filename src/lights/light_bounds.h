@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/direction_cone.h"
-#include "lights/light_receiver.h"
 
 namespace vitrine {
 
@@ -19,24 +18,5 @@ struct LightBounds {
 
 /// \pre both have boxes that are not empty
 LightBounds unite(const LightBounds& a, const LightBounds& b);
-
-/// What bounds say about the light that comes to a point, ready to be asked often.
-class LightImportance {
-  public:
-    LightImportance() = default;
-    explicit LightImportance(const LightBounds& bounds);
-
-    /// Roughly the irradiance from there; 0 only where no light comes from there at all. The bound of sec. 4.1, with the
-    /// cosine at the receiver.
-    double at(const LightReceiver& receiver) const;
-
-  private:
-    V3d center_{0, 0, 0};
-    double radius2_ = 0; ///< squared, of the box's sphere
-    double intensity_ = 0;
-    V3f axis_{0, 0, 1};
-    float cosNormals_ = -1, sinNormals_ = 0, cosReach_ = -1;
-    bool twoSided_ = false;
-};
 
 } // namespace vitrine

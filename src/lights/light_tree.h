@@ -1,15 +1,19 @@
 // A hierarchy over lights, for choosing one by what it brings to a point.
 #pragma once
 
-#include "lights/light_bounds.h"
+#include "lights/eight_lights.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
 namespace vitrine {
 
-/// A binary tree over bounds of lights (Conty Estevez & Kulla 2018): from the root down each step goes to one of two children
-/// in proportion to their importance. The path to each leaf is kept, so that its probability is found by the same numbers.
+class LightTwigs;
+
+/// A tree over bounds of lights (Conty Estevez & Kulla 2018): from the root down each step goes to a child in proportion to its
+/// importance. Eight children a node: their importances are found at once, and of groups that are nearer each other than
+/// those of a binary tree.
 class LightTree {
   public:
     struct Choice {
@@ -25,32 +29,25 @@ class LightTree {
     std::optional<Choice> sample(const LightReceiver& receiver, double u) const;
     /// Of sample() giving this leaf.
     double probability(const LightReceiver& receiver, unsigned leaf) const;
-    std::size_t memoryBytes() const {
-        return nodes_.capacity() * sizeof(Node) + trails_.capacity() * sizeof(std::uint64_t);
-    }
+    std::size_t memoryBytes() const { return nodes_.capacity() * sizeof(Node) + leaves_.capacity() * sizeof(Spot); }
 
   private:
+    static constexpr std::uint32_t nowhere = 0xffffffffu;
+    /// A place among a node's children.
+    struct Spot {
+        std::uint32_t node = nowhere, lane = 0;
+    };
     struct Node {
-        LightImportance importance;
-        std::uint32_t next = 0; ///< the second child (the first one follows), or the light of a leaf
-        bool isLeaf = true;
+        EightLights lights;
+        std::array<std::uint32_t, EightLights::lanes> next{}; ///< nodes, or the lights of leaves
+        std::uint32_t leaves = 0;                             ///< a bit for each child that is one
+        Spot parent;
     };
-    /// A light that is to find its place.
-    struct Item {
-        LightBounds bounds;
-        V3d center;
-        unsigned light;
-    };
-
-    /// The first child's part of the choice between a node's two; negative where no light comes from either.
-    double shareOfFirst(std::size_t node, const LightReceiver& receiver) const;
-    LightBounds build(std::vector<Item>& items, std::size_t begin, std::size_t end, std::uint64_t trail,
-                      unsigned depth);
-    static std::size_t partition(std::vector<Item>& items, std::size_t begin, std::size_t end, unsigned depth);
+    struct Shares;
+    std::uint32_t widen(const LightTwigs& twigs, std::uint32_t twig, Spot parent);
 
     std::vector<Node> nodes_;
-    /// A bit a step from the root, the lowest first: 1 for the second child.
-    std::vector<std::uint64_t> trails_;
+    std::vector<Spot> leaves_; ///< of each light
 };
 
 } // namespace vitrine
