@@ -180,6 +180,19 @@ TEST_F(Flags, PhotonsThatNobodySeesAreTold) {
     EXPECT_EQ(result.err.find("vitrine: warning: photons never reach what the camera sees: of "), 0u) << result.err;
 }
 
+TEST_F(Flags, PhotonsAreNotMissedWhereAllLightIsDirect) {
+    // A floor that the lamp sees all of; the few photons are those of a small ball far off.
+    write("scene.pbrt", "LookAt 0 0 1  0 0 0  0 1 0\nCamera \"perspective\"\n"
+                        "Film \"rgb\" \"integer xresolution\" 8 \"integer yresolution\" 8\n"
+                        "Integrator \"sppm\" \"integer photonsperiteration\" 4000\nWorldBegin\n"
+                        "LightSource \"point\" \"point3 from\" [ 0 0 2 ]\nShape \"disk\" \"float radius\" 10\n"
+                        "Translate 9 0 .5\nShape \"sphere\" \"float radius\" .3\n");
+    succeed({"render", "scene.pbrt", "--spp", "2", "-o", "lit.exr", "--progress", "none", "--stats", "stats.json"});
+    const Json photons = Json::parse(read("stats.json")).at("photons");
+    EXPECT_GT(photons.at("kept"), 0);
+    EXPECT_EQ(photons.at("foundPerPoint"), 0);
+}
+
 TEST_F(Flags, PhotonIntegratorsSayWhatTheyNeed) {
     write("scene.pbrt", "Integrator \"sppm\"\nWorldBegin\nShape \"sphere\"\n");
     fail({"info", "scene.pbrt"}, 1,

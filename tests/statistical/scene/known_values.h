@@ -17,6 +17,10 @@ inline const std::pair<const char*, double> lightsOverAFloor[] = {
     {"LightSource \"spot\" \"rgb I\" [3 3 3] \"point3 from\" [0 0 2] \"point3 to\" [0 0 0]\n", 3. / 4},
     {"LightSource \"distant\" \"rgb L\" [2 2 2] \"point3 from\" [1 0 1] \"point3 to\" [0 0 0]\n", 2 * M_SQRT1_2},
     {"LightSource \"infinite\" \"rgb L\" [1 1 1]\n", M_PI},
+    // Which of two is chosen is far from even.
+    {"LightSource \"point\" \"rgb I\" [3 3 3] \"point3 from\" [0 0 2]\n"
+     "LightSource \"point\" \"rgb I\" [.04 .04 .04] \"point3 from\" [0 0 2]\n",
+     3.04 / 4},
     // A ball's irradiance is as if its light came from the middle: pi L r^2 / d^2 (while above the horizon).
     {"AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [4 4 4]\nTranslate 0 0 3\n"
      "Shape \"sphere\" \"float radius\" .5\nAttributeEnd\n",
