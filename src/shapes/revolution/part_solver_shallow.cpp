@@ -10,8 +10,8 @@ namespace vitrine {
 
 struct PartSolver::Branch {
     /// Next to the closest approach, where S has its root, higher derivatives are so large that Halley's step says nothing
-    /// of the next one.
-    static constexpr double lastStep = 0x1p-40;
+    /// of the next one: only one that is itself next to nothing is the last.
+    static constexpr double lastStep = 0x1p-47;
 
     const AxialRay& ray;
     double w;
