@@ -129,7 +129,7 @@ class PhotonGrid::Search {
         runs_[count_++] = run;
     }
     void addRow(std::uint32_t disk, std::int32_t x0, std::int32_t x1, const Row& row);
-    void fetch(Run& run) const;
+    void fetch();
     void searchRuns();
     void searchRun(const Run& run);
     void endDisksBefore(std::size_t disk) {
@@ -175,20 +175,25 @@ void PhotonGrid::Search::addRow(std::uint32_t disk, std::int32_t x0, std::int32_
     if (last > end) add({0, std::uint32_t(last - end), disk, y.begin, y.end, z.begin, z.end});
 }
 
-void PhotonGrid::Search::fetch(Run& run) const {
-    // Of longer runs the rest comes by itself, as it is read in order.
-    constexpr std::uint32_t most = 4, cacheLine = 64;
-    run.begin = grid_.starts_[run.begin];
-    run.end = grid_.starts_[run.end];
-    const std::uint32_t first = run.begin / lanes, end = std::min((run.end + lanes - 1) / lanes, first + most);
-    const auto* const last = reinterpret_cast<const char*>(&grid_.places_[end]);
-    for (auto* at = reinterpret_cast<const char*>(&grid_.places_[first]); at < last; at += cacheLine)
-        __builtin_prefetch(at);
+/// Looks the runs up in the table and fetches their beginnings; what is longer comes by itself, as it is read in order.
+void PhotonGrid::Search::fetch() {
+    constexpr std::size_t cacheLine = 64;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+        Run& run = runs_[kept];
+        run = runs_[i];
+        run.begin = grid_.starts_[run.begin];
+        run.end = grid_.starts_[run.end];
+        kept += run.begin < run.end;
+        const auto* const places = reinterpret_cast<const char*>(&grid_.places_[run.begin / lanes]);
+        for (std::size_t line = 0; line < 3; ++line)
+            __builtin_prefetch(places + line * cacheLine);
+    }
+    count_ = kept;
 }
 
 void PhotonGrid::Search::searchRuns() {
-    for (std::size_t i = 0; i < count_; ++i)
-        fetch(runs_[i]);
+    fetch();
     for (std::size_t i = 0; i < count_; ++i) {
         endDisksBefore(runs_[i].disk);
         searchRun(runs_[i]);

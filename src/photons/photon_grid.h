@@ -13,7 +13,7 @@ namespace vitrine {
 class PhotonGrid final : public PhotonLookup {
   public:
     /// Built by all threads of the current task arena; the result depends on none of them.
-    /// \param rowWidth one to two times the radius that is asked for most
+    /// \param rowWidth two to three times the radius that is asked for most
     /// \param tableBits the table has 2^tableBits places; 0: as many as there are photons
     PhotonGrid(PhotonBlocks blocks, float rowWidth, unsigned tableBits = 0);
 
