@@ -26,11 +26,16 @@ MANUAL = ROOT / "docs" / "parameters.md"
 
 # Directive, its table (or tables) of types in src/scene, what the section opens with.
 FAMILIES = [
-    ("Shape", "shapeTypes", 'Every shape also takes `"float alpha"`, of which only 1 is supported so far.'),
+    ("Shape", "shapeTypes",
+     "Every shape also takes `alpha`, a `float` or a float texture (default 1): the share of rays, shadow rays too, that "
+     "the surface stops at a point. An area light shines with that share of its L; where alpha is 0 throughout, the shape "
+     "is not there, but shines whole. Alpha knows no pixel: image textures are looked up at full resolution."),
     ("Material", "materialTypes",
      'The type `""` or `"none"` is another spelling of `"interface"`. A type whose index of refraction or '
-     "reflectance is a spectrum takes a single `float` too. Textures, `displacement` and `normalmap` are not yet "
-     "supported."),
+     "reflectance is a spectrum takes a single `float` too. Every type but `interface` and `mix` also takes "
+     "`displacement`, a float texture (scene units): bump mapping, shaded as if the surface were moved outwards by so much. "
+     'Or `"string normalmap"`: an image of normals, red along dpdu and blue along the normal, from -1 to 1 as values go '
+     "from 0 to 1, not encoded; it goes before `displacement`."),
     ("Texture", ("floatTextureTypes", "spectrumTextureTypes"),
      'As in `Texture "name" "spectrum" "checkerboard" ...`; types are for `float` and for `spectrum` textures unless they '
      "say otherwise. Those that speak of (s, t) take `\"string mapping\"`, by default `\"uv\"`, and its parameters "
@@ -48,18 +53,18 @@ FAMILIES = [
 ]
 # Builders' files, and the directives whose tables name what these files ask for.
 BUILDERS = [
-    (("shape_builder.cpp", "revolution_builder.cpp"), ["Shape"]),
-    ("material_builder.cpp", ["Material"]),
-    (("texture_builder.cpp", "mapping_builder.cpp"), ["Texture", "Mapping"]),
+    (("shape_builder.cpp", "revolution_builder.cpp", "alpha_builder.cpp"), ["Shape"]),
+    (("material_builder.cpp", "surface_detail_builder.cpp"), ["Material"]),
+    (("texture_builder.cpp", "mapping_builder.cpp", "image_texture_builder.cpp"), ["Texture", "Mapping"]),
     ("light_builder.cpp", ["AreaLightSource", "LightSource"]),
     (("camera_builder.cpp", "film_builder.cpp"), ["Camera", "Film", "PixelFilter", "Sampler"]),
     ("integrator_builder.cpp", ["Integrator"]),
 ]
 # Asked for by all types of a family; stands in its opening sentence instead of each table.
-IN_OPENINGS = {("Shape", "alpha"), ("Texture", "mapping")}
+IN_OPENINGS = {("Shape", "alpha"), ("Material", "displacement"), ("Material", "normalmap"), ("Texture", "mapping")}
 
 HEADING = re.compile(r'(%s) ("\w+"(?:, "\w+")*)( \([^)]*\))?: (.*)' % "|".join(f for f, _, _ in FAMILIES))
-LOOK_UP = re.compile(r'\b(?:get|find)(?!Builder)[A-Z]\w*(?:<\w+>)?\((?:[\w.]+, )*"(\w+)"|\bemission\((?:[\w.]+, )+"(\w+)"')
+LOOK_UP = re.compile(r'\b(?:(?:get|find)(?!Builder)[A-Z]\w*(?:<\w+>)?|choice<\w+, \d+>)\((?:[\w.]+, )*"([\w.]+)"|\bemission\((?:[\w.]+, )+"(\w+)"')
 
 
 class Section:
@@ -120,7 +125,7 @@ def registry_entries(sources, table):
     for text in sources.values():
         match = re.search(r"RegistryEntry<\w+> %s\[\] = \{(.*?)\};" % table, text, re.S)
         if match:
-            return re.findall(r'\{"(\w+)"(, \w+)?\}', match.group(1))
+            return re.findall(r'\{"(\w+)"(, [\w<>]+)?\}', match.group(1))
     sys.exit(f"make_manual: there is no table {table} in src/scene")
 
 

@@ -1,6 +1,7 @@
 #include "bsdfs/coatedconductor_material.h"
 #include "bsdfs/coateddiffuse_material.h"
 #include "bsdfs/conductor_material.h"
+#include "bsdfs/detailed_material.h"
 #include "bsdfs/dielectric_material.h"
 #include "bsdfs/diffuse_material.h"
 #include "bsdfs/diffusetransmission_material.h"
@@ -8,6 +9,7 @@
 #include "bsdfs/mix_material.h"
 #include "bsdfs/thindielectric_material.h"
 #include "scene/registry.h"
+#include "scene/surface_detail_builder.h"
 #include "scene/world_builder.h"
 
 namespace vitrine {
@@ -150,9 +152,11 @@ class MaterialLibrary {
         const MaterialNode& node = nodes_[index];
         // pbrt-v4's other spelling of "interface".
         if (node.type.empty() || node.type == "none") return std::make_shared<InterfaceMaterial>();
-        refuse(node.parameters, {"displacement", "normalmap"});
         if (node.type == "mix") return mix(index);
-        return findBuilder<MaterialBuilder>(materialTypes, node, "material")(context_, node.parameters);
+        MaterialPtr material = findBuilder<MaterialBuilder>(materialTypes, node, "material")(context_, node.parameters);
+        if (!material || material->isInterface()) return material;
+        const SurfaceDetailPtr detail = findSurfaceDetail(context_, node.parameters);
+        return detail ? std::make_shared<DetailedMaterial>(std::move(material), detail) : material;
     }
 
     MaterialPtr mix(std::size_t index) {

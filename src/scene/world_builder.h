@@ -3,7 +3,7 @@
 
 #include "paths/world.h"
 #include "scene/context.h"
-#include "scene/shape_alpha.h"
+#include "scene/alpha_builder.h"
 
 namespace vitrine {
 

@@ -303,13 +303,13 @@ TEST_F(Messages, WhatIsValidButNotYetSupportedSaysSo) {
           Family{"Integrator", "integrator", {"bdpt", "mlt", "ambientocclusion", "randomwalk", "simplepath"}}})
         for (const char* type : family.types)
             each({Family{family.directive, family.name, {type}}}, "", "WorldBegin\n");
-    unsupported("Film \"rgb\" \"string sensor\" \"canon_eos_5d\"\nWorldBegin\n"
-                "MakeNamedMedium \"m\" \"string type\" \"homogeneous\"\nMediumInterface \"m\" \"\"\n"
-                "Material \"diffuse\" \"string normalmap\" \"x.png\"\nShape \"sphere\" \"float alpha\" .5\n"
-                "ActiveTransform EndTime\nTranslate 1 0 0\nShape \"sphere\"\n",
-                {"sensor \"canon_eos_5d\" is not yet supported", "participating media are not yet supported",
-                 "parameter \"normalmap\" is not yet supported", "\"alpha\" other than 1 is not yet supported",
-                 "animated transformations are not yet supported"});
+    unsupported(
+        "Film \"rgb\" \"string sensor\" \"canon_eos_5d\"\nWorldBegin\n"
+        "MakeNamedMedium \"m\" \"string type\" \"homogeneous\"\nMediumInterface \"m\" \"\"\n"
+        "Shape \"bilinearmesh\" \"point3 P\" [0 0 0  1 0 0  0 1 0  1 1 0] \"string emissionfilename\" \"x.exr\"\n"
+        "ActiveTransform EndTime\nTranslate 1 0 0\nShape \"sphere\"\n",
+        {"sensor \"canon_eos_5d\" is not yet supported", "participating media are not yet supported",
+         "parameter \"emissionfilename\" is not yet supported", "animated transformations are not yet supported"});
 }
 
 TEST_F(Messages, TexturesThatAreNotThere) {

@@ -1,4 +1,4 @@
-#include "scene/shape_alpha.h"
+#include "scene/alpha_builder.h"
 
 #include "scene/context.h"
 #include "textures/alpha.h"
