@@ -7,8 +7,7 @@ namespace vitrine {
 
 TexelDecoder::TexelDecoder(const ImageEncoding& encoding, const OIIO::ImageSpec& spec) {
     using Kind = ImageEncoding::Kind;
-    if (spec.format.is_floating_point() || (encoding.kind == Kind::Default && isLinear(spec)) ||
-        (encoding.kind == Kind::Gamma && encoding.gamma == 1))
+    if (spec.format.is_floating_point() || (encoding.kind == Kind::Default && isLinear(spec)) || encoding.isLinear())
         return;
     // Formats of 32 bits are rare: 16 bits of them are told apart.
     codes_.resize(spec.format == OIIO::TypeUInt8 ? 1 << 8 : 1 << 16);

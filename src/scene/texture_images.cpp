@@ -17,7 +17,7 @@ class Reader {
     Reader(const std::string& path, const ImageEncoding& encoding, bool asNumbers)
         : path_(path), input_(openImage(path)), spec_(input_->spec()), decode_(encoding, spec_), asNumbers_(asNumbers),
           colours_(chooseColours()), hasAlpha_(asNumbers && colours_.size() == 3 && spec_.alpha_channel >= 0) {
-        if (encoding.kind != ImageEncoding::Kind::Default && encoding.gamma != 1 && spec_.format.is_floating_point())
+        if (encoding.kind != ImageEncoding::Kind::Default && !encoding.isLinear() && spec_.format.is_floating_point())
             image_.warnings.push_back(path + " holds floats: \"encoding\" does not matter");
         chooseColorSpace();
     }

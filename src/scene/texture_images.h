@@ -17,6 +17,7 @@ struct ImageEncoding {
     Kind kind = Kind::Default;
     double gamma = 1; ///< the exponent that makes light of values in [0, 1]; 1 is linear
 
+    bool isLinear() const { return kind == Kind::Gamma && gamma == 1; }
     auto operator<=>(const ImageEncoding&) const = default;
 };
 

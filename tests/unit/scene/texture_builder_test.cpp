@@ -1,36 +1,10 @@
 // Textures as scenes write them.
-#include "nodes/parser.h"
-#include "scene/context.h"
 #include "scene_text.h"
 #include "support/texture_points.h"
+#include "texture_text.h"
 
 namespace vitrine {
 namespace {
-
-/// The textures of a text, by name.
-class Textures {
-  public:
-    explicit Textures(const std::string& text)
-        : nodes_(parseSceneString("WorldBegin\n" + text, "scene.pbrt")), context_(nodes_, diagnostics_) {}
-
-    float number(const std::string& name, const TexturePoint& at = {}) {
-        const FloatTexturePtr texture = context_.textures().findFloat({}, "", name);
-        diagnostics_.throwIfErrors();
-        return texture->evaluate(at);
-    }
-    SampledSpectrum spectrum(const std::string& name, SpectrumUse use = SpectrumUse::Albedo,
-                             const TexturePoint& at = {}) {
-        const SpectrumTexturePtr texture = context_.textures().findSpectrum({}, "", name, use);
-        diagnostics_.throwIfErrors();
-        return texture->evaluate(at, lambda());
-    }
-    static SampledWavelengths lambda() { return SampledWavelengths::uniform(0.4f); }
-
-  private:
-    SceneNodes nodes_;
-    Diagnostics diagnostics_;
-    BuildContext context_;
-};
 
 void expectNear(const SampledSpectrum& found, const SampledSpectrum& expected) {
     for (int i = 0; i < spectrumSamples; ++i)
