@@ -22,6 +22,11 @@ struct LayeredCase {
         return ConductorBsdf(TrowbridgeReitz(metalAlpha.x, metalAlpha.y), SampledSpectrum(0.2f, 0.5f, 1, 1.5f),
                              SampledSpectrum(2.4f, 3, 2, 1));
     }
+    LayeredCase withWalks(int number) const {
+        LayeredCase c = *this;
+        c.medium.samples = std::uint16_t(number);
+        return c;
+    }
     Bsdf bsdf(std::uint32_t seed) const {
         return isMetal ? Bsdf(CoatedConductorBsdf(coat(), metal(), medium, seed))
                        : Bsdf(CoatedDiffuseBsdf(coat(), matt(), medium, seed));
