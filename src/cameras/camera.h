@@ -14,6 +14,7 @@ namespace vitrine {
 struct CameraSample {
     V2d raster; ///< pixels
     V2f lens;   ///< uniform in the unit square
+    double time = 0;
 };
 
 struct CameraRay {
@@ -47,7 +48,8 @@ class Camera {
     virtual Density density(const Ray& ray) const = 0;
     /// A point on the lens that sees p. Empty when p lies further than `margin` pixels beyond the picture's edge:
     /// filters reach over it.
-    virtual std::optional<CameraConnection> connect(const V3d& p, const V2f& u, const V2f& margin = V2f(0)) const = 0;
+    virtual std::optional<CameraConnection> connect(const V3d& p, const V2f& u, const V2f& margin = V2f(0),
+                                                    double time = 0) const = 0;
     /// Raster points outside of the picture, within the margin, whose rays are that of `raster` too: pictures of all
     /// directions close upon themselves.
     virtual std::vector<V2d> repeated(const V2d& raster, const V2f& margin) const {
@@ -57,6 +59,8 @@ class Camera {
     virtual V3d position() const = 0;
     /// Whether rays start at position() or, on a lens, near it: then all start in the solids that lie there.
     virtual bool startsAtPosition() const { return true; }
+    /// Whether it moves: position() is where it starts.
+    virtual bool moves() const = 0;
 };
 
 } // namespace vitrine

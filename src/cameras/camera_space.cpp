@@ -13,8 +13,8 @@ CameraSpace::CameraSpace(const Transform& worldFromCamera)
     normal_ = cross.normalized();
 }
 
-Ray CameraSpace::toWorld(const V3d& o, const V3d& d) const {
-    return Ray{worldFromCamera_.point(o), worldFromCamera_.vector(d).normalized(), infinityD};
+Ray CameraSpace::toWorld(const V3d& o, const V3d& d, double time) const {
+    return Ray{worldFromCamera_.point(o), worldFromCamera_.vector(d).normalized(), infinityD, time};
 }
 
 double CameraSpace::solidAngleRatio(const V3d& d) const {

@@ -1,8 +1,9 @@
 // Camera space in the world, and what the map between them does to densities.
 #pragma once
 
-#include "core/ray.h"
-#include "core/transform.h"
+#include "core/motion.h"
+
+#include <optional>
 
 namespace vitrine {
 
@@ -13,7 +14,7 @@ class CameraSpace {
     explicit CameraSpace(const Transform& worldFromCamera);
 
     /// The ray in the world with unit direction; a ray of infinite length stays one.
-    Ray toWorld(const V3d& o, const V3d& d) const;
+    Ray toWorld(const V3d& o, const V3d& d, double time = 0) const;
     V3d pointToWorld(const V3d& p) const { return worldFromCamera_.point(p); }
     V3d pointToCamera(const V3d& p) const { return cameraFromWorld_.point(p); }
     /// Unit direction in camera space of a direction of the world.
@@ -31,6 +32,23 @@ class CameraSpace {
     Transform worldFromCamera_, cameraFromWorld_;
     double determinant_, planeArea_;
     V3d normal_;
+};
+
+/// Where a camera stands at each time.
+class CameraMotion {
+  public:
+    CameraMotion(const Motion& worldFromCamera) : motion_(worldFromCamera), start_(worldFromCamera.start()) {}
+
+    bool moves() const { return motion_.moves(); }
+    const CameraSpace& start() const { return start_; }
+    /// \param room for the answer where it has to be made
+    const CameraSpace& at(double time, std::optional<CameraSpace>& room) const {
+        return moves() ? room.emplace(motion_.at(time)) : start_;
+    }
+
+  private:
+    Motion motion_;
+    CameraSpace start_;
 };
 
 } // namespace vitrine

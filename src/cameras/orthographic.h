@@ -13,6 +13,9 @@ namespace vitrine {
 /// |------------------|----------|-------------|-----------------------|---------|
 /// | lensradius       | float    | scene units | 0                     | 0: parallel rays; else see below |
 /// | focaldistance    | float    | scene units | 1e6                   | distance of the plane that is sharp |
+/// | aperture         | string   |             | "circular"            | shape of the lens, as of Camera "perspective". Not in pbrt-v4 |
+/// | apertureblades   | integer  |             | 0                     | likewise. Not in pbrt-v4 |
+/// | aperturerotation | float    | degrees     | 0                     | likewise. Not in pbrt-v4 |
 /// | frameaspectratio | float    |             | width / height        | width over height of the default screenwindow |
 /// | screenwindow     | float[4] | scene units | from frameaspectratio | xmin xmax ymin ymax of the picture |
 ///
@@ -26,28 +29,31 @@ class OrthographicCamera final : public Camera {
         ScreenWindow window;
         double lensRadius = 0;
         double focalDistance = 1e6;
+        AperturePtr aperture = nullptr; ///< null: the full circle
     };
     /// \throws std::invalid_argument as RasterWindow and ThinLens do
-    OrthographicCamera(const Transform& worldFromCamera, const V2i& resolution, const Settings& settings);
+    OrthographicCamera(const Motion& worldFromCamera, const V2i& resolution, const Settings& settings);
 
     std::optional<CameraRay> generate(const CameraSample& sample) const override;
     /// Without a lens the direction is the delta: it counts as density 1 where a ray is parallel to the axis (within
     /// 1e-6), as a pinhole's position does for perspective cameras.
     Density density(const Ray& ray) const override;
     /// Without a lens the only direction: pdf 1, and we / pdf is the importance per area across the rays.
-    std::optional<CameraConnection> connect(const V3d& p, const V2f& u, const V2f& margin = V2f(0)) const override;
+    std::optional<CameraConnection> connect(const V3d& p, const V2f& u, const V2f& margin = V2f(0),
+                                            double time = 0) const override;
     V3d position() const override;
     bool startsAtPosition() const override { return !std::holds_alternative<Parallel>(projection_); }
+    bool moves() const override;
 
   private:
     /// Parallel rays over a rectangle.
     struct Parallel {
-        CameraSpace space;
+        CameraMotion space;
         RasterWindow window;
 
-        Density densityAt(const V3d& cameraPoint, const V2f& margin) const;
+        Density densityAt(const CameraSpace& at, const V3d& cameraPoint, const V2f& margin) const;
     };
-    static std::variant<Parallel, ThinLens> project(const Transform& worldFromCamera, const V2i& resolution,
+    static std::variant<Parallel, ThinLens> project(const Motion& worldFromCamera, const V2i& resolution,
                                                     const Settings& settings);
 
     std::variant<Parallel, ThinLens> projection_;

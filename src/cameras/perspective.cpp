@@ -14,8 +14,8 @@ double unitScale(double fov) {
 
 } // namespace
 
-PerspectiveCamera::PerspectiveCamera(const Transform& worldFromCamera, const V2i& resolution, const Settings& settings)
-    : lens_(CameraSpace(worldFromCamera), RasterWindow(resolution, settings.window, unitScale(settings.fov)),
-            settings.lensRadius, settings.focalDistance) {}
+PerspectiveCamera::PerspectiveCamera(const Motion& worldFromCamera, const V2i& resolution, const Settings& settings)
+    : lens_(worldFromCamera, RasterWindow(resolution, settings.window, unitScale(settings.fov)), settings.lensRadius,
+            settings.focalDistance, settings.aperture) {}
 
 } // namespace vitrine

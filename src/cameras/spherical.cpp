@@ -16,7 +16,7 @@ constexpr double oneMinusEpsilon = 1 - 0x1p-53;
 
 } // namespace
 
-SphericalCamera::SphericalCamera(const Transform& worldFromCamera, const V2i& resolution, Mapping mapping)
+SphericalCamera::SphericalCamera(const Motion& worldFromCamera, const V2i& resolution, Mapping mapping)
     : space_(worldFromCamera), resolution_(resolution.x, resolution.y), mapping_(mapping) {
     checkResolution(resolution);
 }
@@ -48,27 +48,31 @@ double SphericalCamera::solidAngleOfSquare(const V3d& d) const {
 
 std::optional<CameraRay> SphericalCamera::generate(const CameraSample& sample) const {
     const V3d d = directionFromSquare(sample.raster / resolution_);
-    return CameraRay{space_.toWorld(V3d(0, 0, 0), swapYZ(d)), 1};
+    std::optional<CameraSpace> room;
+    return CameraRay{space_.at(sample.time, room).toWorld(V3d(0, 0, 0), swapYZ(d), sample.time), 1};
 }
 
 Camera::Density SphericalCamera::density(const Ray& ray) const {
-    const V3d d = space_.directionToCamera(ray.d), up = swapYZ(d);
+    std::optional<CameraSpace> room;
+    const CameraSpace& space = space_.at(ray.time, room);
+    const V3d d = space.directionToCamera(ray.d), up = swapYZ(d);
     Density result;
     result.raster = squareFromDirection(up) * resolution_;
     result.position = 1;
-    result.direction = float(space_.solidAngleRatio(d) / solidAngleOfSquare(up));
+    result.direction = float(space.solidAngleRatio(d) / solidAngleOfSquare(up));
     result.we = result.direction;
     return result;
 }
 
-std::optional<CameraConnection> SphericalCamera::connect(const V3d& p, const V2f&, const V2f&) const {
+std::optional<CameraConnection> SphericalCamera::connect(const V3d& p, const V2f&, const V2f&, double time) const {
     CameraConnection result;
-    result.pLens = position();
+    std::optional<CameraSpace> room;
+    result.pLens = space_.at(time, room).pointToWorld(V3d(0, 0, 0));
     const V3d toCamera = result.pLens - p;
     const double distance2 = toCamera.length2();
     if (!(distance2 > 0)) return {};
     const V3d wi = toCamera / std::sqrt(distance2);
-    const Density seen = density(Ray{result.pLens, -wi});
+    const Density seen = density(Ray{result.pLens, -wi, infinityD, time});
     result.wi = toFloat(wi);
     result.raster = seen.raster;
     result.we = seen.we;

@@ -16,15 +16,17 @@ class SphericalCamera final : public Camera {
     enum class Mapping { EqualArea, Equirectangular };
 
     /// \throws std::invalid_argument for an empty resolution
-    SphericalCamera(const Transform& worldFromCamera, const V2i& resolution, Mapping mapping);
+    SphericalCamera(const Motion& worldFromCamera, const V2i& resolution, Mapping mapping);
 
     std::optional<CameraRay> generate(const CameraSample& sample) const override;
     /// The position has density 1; the importance has no cosine, as a point has no normal.
     Density density(const Ray& ray) const override;
     /// All points are in the picture: the margin is that of repeated().
-    std::optional<CameraConnection> connect(const V3d& p, const V2f& u, const V2f& margin = V2f(0)) const override;
+    std::optional<CameraConnection> connect(const V3d& p, const V2f& u, const V2f& margin = V2f(0),
+                                            double time = 0) const override;
     std::vector<V2d> repeated(const V2d& raster, const V2f& margin) const override;
-    V3d position() const override { return space_.pointToWorld(V3d(0, 0, 0)); }
+    V3d position() const override { return space_.start().pointToWorld(V3d(0, 0, 0)); }
+    bool moves() const override { return space_.moves(); }
 
   private:
     /// Unit camera direction of a point of the unit square and back; z is up here as in the maps' papers.
@@ -33,7 +35,7 @@ class SphericalCamera final : public Camera {
     /// Solid angle per area of the unit square.
     double solidAngleOfSquare(const V3d& d) const;
 
-    CameraSpace space_;
+    CameraMotion space_;
     V2d resolution_;
     Mapping mapping_;
 };

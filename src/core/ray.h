@@ -10,6 +10,7 @@ struct Ray {
     V3d o{0, 0, 0};
     V3d d{0, 0, 1};
     double tMax = infinityD;
+    double time = 0; ///< in the scene's seconds: where moving things are when the ray meets them
 
     V3d at(double s) const { return o + d * s; }
 };

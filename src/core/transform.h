@@ -42,7 +42,7 @@ class Transform {
         return V3d(n.x * m[0][0] + n.y * m[0][1] + n.z * m[0][2], n.x * m[1][0] + n.y * m[1][1] + n.z * m[1][2],
                    n.x * m[2][0] + n.y * m[2][1] + n.z * m[2][2]);
     }
-    Ray ray(const Ray& r) const { return Ray{point(r.o), vector(r.d), r.tMax}; }
+    Ray ray(const Ray& r) const { return Ray{point(r.o), vector(r.d), r.tMax, r.time}; }
     /// The box of the eight corners.
     Box3d box(const Box3d& b) const;
 

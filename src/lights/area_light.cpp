@@ -34,7 +34,8 @@ float estimateOpacity(const Shape& shape, const Cutout& cutout) {
 } // namespace
 
 AreaLight::AreaLight(ShapePtr shape, SpectrumPtr l, bool twoSided, CutoutPtr cutout, bool isUnseen)
-    : shape_(std::move(shape)), l_(std::move(l)), twoSided_(twoSided), cutout_(std::move(cutout)), isUnseen_(isUnseen) {
+    : shape_(std::move(shape)), moving_(dynamic_cast<const MovingShape*>(shape_.get())), l_(std::move(l)),
+      twoSided_(twoSided), cutout_(std::move(cutout)), isUnseen_(isUnseen) {
     if (cutout_) meanOpacity_ = estimateOpacity(*shape_, *cutout_);
 }
 
@@ -50,12 +51,12 @@ LightBounds AreaLight::partBounds(unsigned part) const {
 
 std::optional<LightSample> AreaLight::sample(const LightReceiver& at, const V2f& u,
                                              const SampledWavelengths& lambda) const {
-    return lightFrom(shape_->sample(at.p, u), at, lambda);
+    return lightFrom(moving_ ? moving_->sampleAt(at.time, at.p, u) : shape_->sample(at.p, u), at, lambda);
 }
 
 std::optional<LightSample> AreaLight::samplePart(unsigned part, const LightReceiver& at, const V2f& u,
                                                  const SampledWavelengths& lambda) const {
-    return lightFrom(shape_->samplePart(part, at.p, u), at, lambda);
+    return lightFrom(moving_ ? moving_->sampleAt(at.time, at.p, u) : shape_->samplePart(part, at.p, u), at, lambda);
 }
 
 std::optional<LightSample> AreaLight::lightFrom(const std::optional<ShapeSample>& onShape, const LightReceiver& at,
@@ -81,8 +82,8 @@ std::optional<LightSample> AreaLight::lightFrom(const std::optional<ShapeSample>
 }
 
 std::optional<LightEmission> AreaLight::emit(const V2f& uPosition, const V2f& uDirection,
-                                             const SampledWavelengths& lambda) const {
-    const auto onShape = shape_->sample(uPosition);
+                                             const SampledWavelengths& lambda, double time) const {
+    const auto onShape = moving_ ? moving_->sampleAt(time, uPosition) : shape_->sample(uPosition);
     if (!onShape || !(onShape->pdf > 0)) return {};
     // Two sides: half of the first number picks one, what is left of it is as good as new.
     const bool back = twoSided_ && uDirection.x >= 0.5f;

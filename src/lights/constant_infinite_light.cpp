@@ -26,7 +26,7 @@ std::optional<LightSample> ConstantInfiniteLight::sample(const LightReceiver&, c
 }
 
 std::optional<LightEmission> ConstantInfiniteLight::emit(const V2f& uPosition, const V2f& uDirection,
-                                                         const SampledWavelengths& lambda) const {
+                                                         const SampledWavelengths& lambda, double) const {
     const SampledSpectrum all = power(lambda);
     if (all.isBlack()) return {};
     return LightEmission{scene_.beam(sampleUniformSphere(uDirection), uPosition), all};

@@ -32,8 +32,8 @@ class ConstantInfiniteLight final : public Light {
     SampledSpectrum powerInto(const SceneSphere& sphere, const SampledWavelengths& lambda) const override;
     std::optional<LightSample> sample(const LightReceiver& at, const V2f& u,
                                       const SampledWavelengths& lambda) const override;
-    std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection,
-                                      const SampledWavelengths& lambda) const override;
+    std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection, const SampledWavelengths& lambda,
+                                      double time = 0) const override;
     SampledSpectrum escaped(const V3f&, const SampledWavelengths& lambda) const override { return l_->sample(lambda); }
     float pdf(const V3f&) const override { return invPi / 4; }
     bool isInfinite() const override { return true; }

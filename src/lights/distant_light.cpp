@@ -1,6 +1,7 @@
 #include "lights/distant_light.h"
 
 #include "lights/emission.h"
+#include "lights/moving_light.h"
 
 #include <stdexcept>
 
@@ -11,6 +12,14 @@ std::shared_ptr<DistantLight> DistantLight::create(const Transform& worldFromLig
     if (!(back.length2() > 0)) throw std::invalid_argument("a distant light's \"from\" and \"to\" must differ");
     SpectrumPtr irradiance = scaledEmission(parameters.l, parameters.scale, parameters.illuminance, 1);
     return std::make_shared<DistantLight>(worldFromLight.vector(back), std::move(irradiance));
+}
+
+LightPtr DistantLight::create(const Motion& worldFromLight, const Shutter& shutter, const Parameters& parameters) {
+    const auto start = create(worldFromLight.start(), parameters);
+    if (!worldFromLight.moves()) return start;
+    return movingLight(worldFromLight, shutter, parameters.from,
+                       [irradiance = start->irradiance_, back = parameters.from - parameters.to](
+                           const Transform& pose) { return DistantLight(pose.vector(back), irradiance); });
 }
 
 SampledSpectrum DistantLight::powerInto(const SceneSphere& sphere, const SampledWavelengths& lambda) const {
@@ -29,8 +38,8 @@ std::optional<LightSample> DistantLight::sample(const LightReceiver&, const V2f&
     return sample;
 }
 
-std::optional<LightEmission> DistantLight::emit(const V2f& uPosition, const V2f&,
-                                                const SampledWavelengths& lambda) const {
+std::optional<LightEmission> DistantLight::emit(const V2f& uPosition, const V2f&, const SampledWavelengths& lambda,
+                                                double) const {
     const SampledSpectrum all = power(lambda);
     if (all.isBlack()) return {};
     return LightEmission{scene_.beam(toFloat(-wi_), uPosition), all};

@@ -1,7 +1,7 @@
 // LightSource "distant".
 #pragma once
 
-#include "core/transform.h"
+#include "core/motion.h"
 #include "lights/light.h"
 #include "lights/scene_sphere.h"
 
@@ -26,6 +26,8 @@ class DistantLight final : public Light {
     /// By pbrt's rule (lights/emission.h); `unit` for the illuminance is 1.
     /// \throws std::invalid_argument if from is to, and as scaledEmission does
     static std::shared_ptr<DistantLight> create(const Transform& worldFromLight, const Parameters& parameters);
+    /// One that may move. \throws likewise
+    static LightPtr create(const Motion& worldFromLight, const Shutter& shutter, const Parameters& parameters);
 
     /// \param towardsLight world direction, of any length  \param irradiance across the light, already scaled
     DistantLight(const V3d& towardsLight, SpectrumPtr irradiance)
@@ -36,8 +38,8 @@ class DistantLight final : public Light {
     SampledSpectrum powerInto(const SceneSphere& sphere, const SampledWavelengths& lambda) const override;
     std::optional<LightSample> sample(const LightReceiver& at, const V2f& u,
                                       const SampledWavelengths& lambda) const override;
-    std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection,
-                                      const SampledWavelengths& lambda) const override;
+    std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection, const SampledWavelengths& lambda,
+                                      double time = 0) const override;
     bool isDelta() const override { return true; }
     void preprocess(const V3d& center, double radius) override { scene_ = {center, radius}; }
 

@@ -76,7 +76,7 @@ std::optional<LightSample> ImageInfiniteLight::sample(const LightReceiver&, cons
 }
 
 std::optional<LightEmission> ImageInfiniteLight::emit(const V2f& uPosition, const V2f& uDirection,
-                                                      const SampledWavelengths& lambda) const {
+                                                      const SampledWavelengths& lambda, double) const {
     const auto towards = sample(LightReceiver(scene_.center), uDirection, lambda);
     if (!towards) return {};
     return LightEmission{scene_.beam(-towards->wi, uPosition),

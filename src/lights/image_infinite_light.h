@@ -45,8 +45,8 @@ class ImageInfiniteLight final : public Light {
     SampledSpectrum powerInto(const SceneSphere& sphere, const SampledWavelengths& lambda) const override;
     std::optional<LightSample> sample(const LightReceiver& at, const V2f& u,
                                       const SampledWavelengths& lambda) const override;
-    std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection,
-                                      const SampledWavelengths& lambda) const override;
+    std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection, const SampledWavelengths& lambda,
+                                      double time = 0) const override;
     SampledSpectrum escaped(const V3f& w, const SampledWavelengths& lambda) const override;
     float pdf(const V3f& w) const override;
     bool isInfinite() const override { return true; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "accel/cutout.h"
+#include "accel/moving_shape.h"
 #include "lights/light_bounds.h"
 #include "lights/light_receiver.h"
 #include "spectrum/spectrum.h"
@@ -69,7 +70,7 @@ class Light {
     /// The expectation of its power is power(), save where that is an estimate. Empty when nothing is emitted there, and
     /// always for shapes of infinite area.
     virtual std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection,
-                                              const SampledWavelengths& lambda) const = 0;
+                                              const SampledWavelengths& lambda, double time = 0) const = 0;
     virtual bool isDelta() const { return false; }
 
     /// Radiance that escaping rays of direction w meet; lights at infinity only.
@@ -123,8 +124,8 @@ class AreaLight final : public Light {
     LightBounds partBounds(unsigned part) const override;
     std::optional<LightSample> samplePart(unsigned part, const LightReceiver& at, const V2f& u,
                                           const SampledWavelengths& lambda) const override;
-    std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection,
-                                      const SampledWavelengths& lambda) const override;
+    std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection, const SampledWavelengths& lambda,
+                                      double time = 0) const override;
     bool isDelta() const override { return isUnseen_; }
     /// Radiance leaving `point` towards w, where the shape is there.
     SampledSpectrum emitted(const SurfacePoint& point, const V3f& w, const SampledWavelengths& lambda) const {
@@ -132,11 +133,11 @@ class AreaLight final : public Light {
     }
     /// Density of sample(at, ...) to give the point of a hit, per solid angle at the receiver.
     float pdf(const LightReceiver& at, const PrimitiveHit& hit, const SurfacePoint& point) const {
-        return shape_->pdf(at.p, hit, point);
+        return moving_ ? moving_->pdfAt(at.time, at.p, hit, point) : shape_->pdf(at.p, hit, point);
     }
     /// Of samplePart(part of the hit, at, ...).
     float partPdf(const LightReceiver& at, const PrimitiveHit& hit, const SurfacePoint& point) const {
-        return shape_->partPdf(at.p, hit, point);
+        return moving_ ? moving_->pdfAt(at.time, at.p, hit, point) : shape_->partPdf(at.p, hit, point);
     }
     using Light::pdf;
     const Shape& shape() const { return *shape_; }
@@ -149,6 +150,7 @@ class AreaLight final : public Light {
     float opacity(const SurfacePoint& point) const { return std::clamp(cutout_->opacity(point), 0.f, 1.f); }
 
     ShapePtr shape_;
+    const MovingShape* moving_; ///< the shape, if it moves
     SpectrumPtr l_;
     bool twoSided_;
     CutoutPtr cutout_;

@@ -1,7 +1,7 @@
 // LightSource "point".
 #pragma once
 
-#include "core/transform.h"
+#include "core/motion.h"
 #include "lights/light.h"
 
 namespace vitrine {
@@ -25,6 +25,8 @@ class PointLight final : public Light {
     /// By pbrt's rule (lights/emission.h); `unit` for the power is 4 pi.
     /// \throws std::invalid_argument as scaledEmission does
     static std::shared_ptr<PointLight> create(const Transform& worldFromLight, const Parameters& parameters);
+    /// One that may move. \throws likewise
+    static LightPtr create(const Motion& worldFromLight, const Shutter& shutter, const Parameters& parameters);
 
     /// \param position in the world  \param intensity already scaled
     PointLight(const V3d& position, SpectrumPtr intensity) : position_(position), intensity_(std::move(intensity)) {}
@@ -33,8 +35,8 @@ class PointLight final : public Light {
     Box3d bounds() const override { return Box3d(position_); }
     std::optional<LightSample> sample(const LightReceiver& at, const V2f& u,
                                       const SampledWavelengths& lambda) const override;
-    std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection,
-                                      const SampledWavelengths& lambda) const override;
+    std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection, const SampledWavelengths& lambda,
+                                      double time = 0) const override;
     bool isDelta() const override { return true; }
 
   private:

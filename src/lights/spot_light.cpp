@@ -1,6 +1,7 @@
 #include "lights/spot_light.h"
 
 #include "lights/emission.h"
+#include "lights/moving_light.h"
 
 #include <stdexcept>
 
@@ -25,6 +26,16 @@ std::shared_ptr<SpotLight> SpotLight::create(const Transform& worldFromLight, co
     const double unit = SpotLight(worldFromSpot, nullptr, parameters.cone).solidAngle();
     SpectrumPtr intensity = scaledEmission(parameters.i, parameters.scale, parameters.power, unit);
     return std::make_shared<SpotLight>(worldFromSpot, std::move(intensity), parameters.cone);
+}
+
+LightPtr SpotLight::create(const Motion& worldFromLight, const Shutter& shutter, const Parameters& parameters) {
+    const auto start = create(worldFromLight.start(), parameters);
+    if (!worldFromLight.moves()) return start;
+    return movingLight(worldFromLight, shutter, parameters.from,
+                       [intensity = start->intensity_, cone = parameters.cone,
+                        lightFromSpot = aim(parameters.from, parameters.to)](const Transform& pose) {
+                           return SpotLight(lightFromSpot.then(pose), intensity, cone);
+                       });
 }
 
 SpotLight::SpotLight(const Transform& worldFromSpot, SpectrumPtr intensity, const Cone& cone)
@@ -98,8 +109,8 @@ double SpotLight::sampleCosine(double u) const {
     return cosEnd_ + t * (cosStart_ - cosEnd_);
 }
 
-std::optional<LightEmission> SpotLight::emit(const V2f&, const V2f& uDirection,
-                                             const SampledWavelengths& lambda) const {
+std::optional<LightEmission> SpotLight::emit(const V2f&, const V2f& uDirection, const SampledWavelengths& lambda,
+                                             double) const {
     const SampledSpectrum intensity = intensity_->sample(lambda);
     if (intensity.isBlack()) return {};
     const double z = sampleCosine(uDirection.x), r = safeSqrt(1 - z * z), phi = 2 * piD * uDirection.y;

@@ -1,7 +1,7 @@
 // LightSource "spot".
 #pragma once
 
-#include "core/transform.h"
+#include "core/motion.h"
 #include "lights/light.h"
 
 namespace vitrine {
@@ -32,6 +32,8 @@ class SpotLight final : public Light {
     /// By pbrt's rule (lights/emission.h); `unit` for the power is power() at one candela.
     /// \throws std::invalid_argument if from is to, and as scaledEmission and the constructor do
     static std::shared_ptr<SpotLight> create(const Transform& worldFromLight, const Parameters& parameters);
+    /// One that may move. \throws likewise
+    static LightPtr create(const Motion& worldFromLight, const Shutter& shutter, const Parameters& parameters);
 
     /// \param worldFromSpot the light sits in the origin of its space and aims along +z
     /// \param intensity already scaled
@@ -43,8 +45,8 @@ class SpotLight final : public Light {
     LightBounds partBounds(unsigned part) const override;
     std::optional<LightSample> sample(const LightReceiver& at, const V2f& u,
                                       const SampledWavelengths& lambda) const override;
-    std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection,
-                                      const SampledWavelengths& lambda) const override;
+    std::optional<LightEmission> emit(const V2f& uPosition, const V2f& uDirection, const SampledWavelengths& lambda,
+                                      double time = 0) const override;
     bool isDelta() const override { return true; }
 
   private:

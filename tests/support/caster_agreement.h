@@ -120,7 +120,9 @@ inline void expectAgreement(const Caster& caster, const CasterInput& input, cons
     int hits = 0, differing = 0, unexplained = 0;
     for (int i = 0; i < rays; ++i) {
         bool inFace;
-        const Ray ray = anyRay(random, aim, inFace);
+        Ray ray = anyRay(random, aim, inFace);
+        // For what moves. Not from the stream: what stands still is cast the same rays as ever.
+        ray.time = unitDouble(streamKey(seed, i));
         CasterHit hit, truth;
         const bool found = caster.intersect(ray, hit), trueFound = oracle->intersect(ray, truth);
         hits += trueFound;

@@ -30,8 +30,8 @@ struct LensCamera {
 };
 
 LensCamera perspective(const std::string& name, const V2i& resolution, const Transform& worldFromCamera, double fov,
-                       const ScreenWindow& window, double lensRadius) {
-    PerspectiveCamera::Settings settings{window, fov, lensRadius, 2.5};
+                       const ScreenWindow& window, double lensRadius, const AperturePtr& aperture = nullptr) {
+    PerspectiveCamera::Settings settings{window, fov, lensRadius, 2.5, aperture};
     const double scale = std::tan(radians(fov) / 2) * settings.focalDistance;
     const ScreenWindow focus{window.xMin * scale, window.xMax * scale, window.yMin * scale, window.yMax * scale};
     return {name,
@@ -54,6 +54,11 @@ LensCamera orthographicWithLens(const V2i& resolution) {
             std::make_shared<OrthographicCamera>(tilted(), resolution, settings)};
 }
 
+/// 3 x 2 texels of very different brightness, one of them black.
+AperturePtr mask(double rotation) {
+    return std::make_shared<ImageAperture>(Image{3, 2, 1, {0.2f, 1, 0, 3, 0.5f, 0.1f}}, rotation);
+}
+
 std::vector<LensCamera> lensCameras() {
     const V2i wide(48, 32), square(32, 32);
     const ScreenWindow unit;
@@ -62,6 +67,8 @@ std::vector<LensCamera> lensCameras() {
             perspective("skewed pinhole", square, skewed(), 60, unit, 0),
             perspective("lens", square, tilted(), 60, unit, 0.4),
             perspective("skewed lens", square, skewed(), 60, unit, 0.4),
+            perspective("star", square, tilted(), 60, unit, 0.4, PolygonAperture::star(5, 10)),
+            perspective("skewed mask", square, skewed(), 60, unit, 0.4, mask(25)),
             orthographicWithLens(wide)};
 }
 
@@ -186,6 +193,30 @@ TEST(CameraDensities, PositionsOnLensAndFilm) {
     const auto onFilm = test(film, V2d(-1, -0.5), V2d(2, 1), [](const V3d&) { return true; });
     EXPECT_GT(onFilm.pValue, threshold) << onFilm.report;
     EXPECT_NEAR(onFilm.mass, 1, 1e-3);
+}
+
+/// Points of the aperture against its density.
+TEST(CameraDensities, PointsOfApertures) {
+    const std::vector<std::pair<std::string, AperturePtr>> apertures{
+        {"pentagon", PolygonAperture::polygon(5, 0)}, {"turned hexagon", PolygonAperture::polygon(6, 17)},
+        {"triangle", PolygonAperture::polygon(3, -40)}, {"star", PolygonAperture::star(5, 0)},
+        {"star of seven", PolygonAperture::star(7, 100)}, {"mask", mask(0)}, {"turned mask", mask(33)}};
+    const double threshold = test::sidakThreshold(0.01, int(apertures.size()));
+    // Turned squares reach to sqrt 2.
+    const double reach = 1.5;
+    for (const auto& [name, aperture] : apertures) {
+        const auto result = test::chiSquaredSquare(
+            [&](RandomStream& random) -> std::optional<V2f> {
+                const V2d p = aperture->sample(V2f(random.uniform(), random.uniform()));
+                return V2f(float((p.x / reach + 1) / 2), float((p.y / reach + 1) / 2));
+            },
+            [&](const V2f& p) {
+                const V2d at((2 * double(p.x) - 1) * reach, (2 * double(p.y) - 1) * reach);
+                return 4 * sqr(reach) / aperture->inverseDensity(at);
+            });
+        EXPECT_GT(result.pValue, threshold) << name << ": " << result.report;
+        EXPECT_NEAR(result.mass, 1, 5e-3) << name;
+    }
 }
 
 /// Some radiance that varies over the sphere of radius `glow` about the origin, which holds the cameras.
