@@ -3,6 +3,7 @@
 #include "integrators/pixel_sample.h"
 #include "integrators/tiles.h"
 #include "paths/direct_light.h"
+#include "paths/pass_time.h"
 
 namespace vitrine {
 
@@ -36,11 +37,12 @@ void LightTracingIntegrator::check(const World& world) const {
 
 /// Lights that the camera sees without anything that scatters between them: one camera ray a pixel.
 void LightTracingIntegrator::addSeenLights(const World& world, std::uint64_t pass, const SampledWavelengths& lambda,
-                                           Film& film, RenderCounters& counters) const {
+                                           double time, Film& film, RenderCounters& counters) const {
     const FilmSettings& settings = film.settings();
     const auto renderPixel = [&](const V2i& pixel) {
         SampleStream stream(sampler_, pixel, pass);
-        const PixelSample at = samplePixel(film.filter(), pixel, stream);
+        PixelSample at = samplePixel(film.filter(), pixel, stream);
+        at.camera.time = time;
         SampledSpectrum light(0.f);
         if (const auto camera = world.camera->generate(at.camera)) {
             Walk walk = eyeWalk(world, camera->ray, lambda);
@@ -70,7 +72,7 @@ void LightTracingIntegrator::connect(const World& world, const Vertex& vertex, c
     const SurfacePoint& point = vertex.point();
     const FilmSettings& settings = film.settings();
     const V2f& radius = settings.filter.radius;
-    const auto camera = world.camera->connect(point.p, stream.get2D(), radius);
+    const auto camera = world.camera->connect(point.p, stream.get2D(), radius, vertex.time);
     if (!camera) return;
     const V3f wo = vertex.frame.toLocal(vertex.wo), wi = vertex.frame.toLocal(camera->wi);
     const SampledSpectrum f = bsdf.f(wo, wi, TransportMode::Importance) *
@@ -104,13 +106,13 @@ void LightTracingIntegrator::splat(const V2d& raster, const SampledSpectrum& val
 }
 
 void LightTracingIntegrator::addLightPaths(const World& world, std::uint64_t pass, std::uint64_t first,
-                                           std::uint64_t last, const SampledWavelengths& lambda, Film& film,
-                                           RenderCounters& counters) const {
+                                           std::uint64_t last, const SampledWavelengths& lambda, double time,
+                                           Film& film, RenderCounters& counters) const {
     const auto strips = std::size_t((film.settings().cropSize().y + stripRows - 1) / stripRows);
     const auto blocks = traceInBlocks(
         last - first, Splats{std::vector<std::vector<Splat>>(strips)}, [&](std::uint64_t path, Splats& splats) {
             splats.lostExits += paths_->follow(
-                pass, first + path, lambda,
+                pass, first + path, lambda, time,
                 [&](const Vertex& vertex, const Bsdf& bsdf, const Walk& walk, const LightPaths::Arrival& arrival,
                     SampleStream& stream) { connect(world, vertex, bsdf, walk, arrival.hero, stream, film, splats); });
         });
@@ -134,9 +136,11 @@ void LightTracingIntegrator::addPasses(const World& world, PassRange passes, Fil
     for (std::uint64_t pass = passes.begin; pass < passes.end; ++pass) {
         const SampledWavelengths lambda = passWavelengths(pass, sampler_.seed);
         film.addPassWavelengths(lambda);
-        addSeenLights(world, pass, lambda, film, counters);
+        const double time = passTime(world.shutter, pass, sampler_.seed);
+        addSeenLights(world, pass, lambda, time, film, counters);
         for (std::uint64_t first = 0; first < pathsPerPass_; first += pathsAtOnce)
-            addLightPaths(world, pass, first, std::min(first + pathsAtOnce, pathsPerPass_), lambda, film, counters);
+            addLightPaths(world, pass, first, std::min(first + pathsAtOnce, pathsPerPass_), lambda, time, film,
+                          counters);
     }
 }
 

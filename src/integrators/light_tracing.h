@@ -34,15 +34,15 @@ class LightTracingIntegrator final : public Integrator {
   private:
     struct Splat;
     struct Splats;
-    void addSeenLights(const World& world, std::uint64_t pass, const SampledWavelengths& lambda, Film& film,
-                       RenderCounters& counters) const;
+    void addSeenLights(const World& world, std::uint64_t pass, const SampledWavelengths& lambda, double time,
+                       Film& film, RenderCounters& counters) const;
     void connect(const World& world, const Vertex& vertex, const Bsdf& bsdf, const Walk& walk, int hero,
                  SampleStream& stream, const Film& film, Splats& splats) const;
     /// To every pixel whose filter reaches the point.
     static void splat(const V2d& raster, const SampledSpectrum& value, const Film& film, Splats& splats);
     /// Of the pass's paths those from `first` to before `last`.
     void addLightPaths(const World& world, std::uint64_t pass, std::uint64_t first, std::uint64_t last,
-                       const SampledWavelengths& lambda, Film& film, RenderCounters& counters) const;
+                       const SampledWavelengths& lambda, double time, Film& film, RenderCounters& counters) const;
 
     LightTracingSettings settings_;
     SamplerSettings sampler_;

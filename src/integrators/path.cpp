@@ -88,7 +88,8 @@ void PathIntegrator::addPasses(const World& world, PassRange passes, Film& film,
         std::uint64_t lostExits = 0;
         for (std::uint64_t pass = passes.begin; pass < passes.end; ++pass) {
             SampleStream stream(sampler_, pixel, pass);
-            const PixelSample at = samplePixel(film.filter(), pixel, stream);
+            PixelSample at = samplePixel(film.filter(), pixel, stream);
+            if (world.moves) at.camera.time = world.shutter.at(double(timeNumber(stream)));
             const SampledWavelengths lambda = SampledWavelengths::picture(wavelengths.at(pass));
             SampledSpectrum radianceIn(0.f);
             if (const auto camera = world.camera->generate(at.camera)) {

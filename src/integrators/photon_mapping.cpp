@@ -3,6 +3,7 @@
 #include "core/random.h"
 #include "integrators/pixel_sample.h"
 #include "integrators/tiles.h"
+#include "paths/pass_time.h"
 #include "paths/pass_wavelengths.h"
 #include "photons/naive_lookup.h"
 #include "photons/photon_grid.h"
@@ -48,6 +49,7 @@ struct PhotonMappingIntegrator::Pass {
     std::uint64_t index;
     SampledWavelengths lambda;
     float sharedFactor; ///< of all disks, by the shared rule
+    double time;
 };
 
 /// An eye path and what it found.
@@ -103,7 +105,7 @@ void PhotonMappingIntegrator::prepare(const World& world, const Film& film) {
     for (int i = 0; i < across * across; ++i) {
         const V2i pixel(settings.cropMin.x + int(std::int64_t(i % across) * radiiSize_.x / across),
                         settings.cropMin.y + int(std::int64_t(i / across) * radiiSize_.y / across));
-        traceEyePaths(world, makePass(0), film, pixel, pixel + V2i(1, 1), pilot);
+        traceEyePaths(world, makePass(world, 0), film, pixel, pixel + V2i(1, 1), pilot);
     }
     std::vector<float> radii;
     for (const GatherPoint& point : pilot.points)
@@ -129,8 +131,10 @@ std::unique_ptr<PhotonLookup> PhotonMappingIntegrator::makeLookup(PhotonBlocks p
     return std::make_unique<PhotonGrid>(std::move(photons), rowRadii * typicalRadius_ * sharedFactor);
 }
 
-PhotonMappingIntegrator::Pass PhotonMappingIntegrator::makePass(std::uint64_t index) const {
-    return {index, passWavelengths(index, sampler_.seed), sharedRadiusFactor(index, settings_.alpha)};
+PhotonMappingIntegrator::Pass PhotonMappingIntegrator::makePass(const World& world,
+                                                                         std::uint64_t index) const {
+    return {index, passWavelengths(index, sampler_.seed), sharedRadiusFactor(index, settings_.alpha),
+            passTime(world.shutter, index, sampler_.seed)};
 }
 
 void PhotonMappingIntegrator::traceEyePaths(const World& world, const Pass& pass, const Film& film, const V2i& first,
@@ -144,7 +148,8 @@ void PhotonMappingIntegrator::traceEyePaths(const World& world, const Pass& pass
                                                  ? std::uint64_t(k)
                                                  : pass.index * std::uint64_t(perPixel) + std::uint64_t(k);
                 SampleStream stream(sampler_, V2i(x, y), sample);
-                const PixelSample in = samplePixel(film.filter(), V2i(x, y), stream);
+                PixelSample in = samplePixel(film.filter(), V2i(x, y), stream);
+                in.camera.time = pass.time;
                 const std::size_t pixelIndex =
                     std::size_t(y - radiiMin_.y) * std::size_t(radiiSize_.x) + std::size_t(x - radiiMin_.x);
                 const std::uint64_t mixed = streamKey(x, y, k);
@@ -180,7 +185,7 @@ void PhotonMappingIntegrator::makeDisks(Gathering& g, float sharedFactor) const 
 void PhotonMappingIntegrator::gather(const World& world, Gathering& g, const PhotonLookup& lookup,
                                      const NearPhotons& found, std::size_t firstDisk, const Pass& pass,
                                      RenderCounters& counters) {
-    const Gatherer gatherer{settings_.kernel, photonsPerPass_, settings_.eye.maxDepth};
+    const Gatherer gatherer{settings_.kernel, photonsPerPass_, settings_.eye.maxDepth, pass.time};
     std::size_t at = 0;
     std::uint64_t pairs = 0;
     for (EyeSample& eye : g.samples) {
@@ -220,7 +225,7 @@ void PhotonMappingIntegrator::addPass(const World& world, const Pass& pass, Film
     film.addPassWavelengths(pass.lambda);
 
     const auto start = Clock::now();
-    PhotonPass photons = photonTracer_->trace(pass.index, pass.lambda);
+    PhotonPass photons = photonTracer_->trace(pass.index, pass.lambda, pass.time);
     const auto traced = Clock::now();
     counters.photonPaths.fetch_add(photonsPerPass_, std::memory_order_relaxed);
     counters.landedPaths.fetch_add(photons.landedPaths, std::memory_order_relaxed);
@@ -299,7 +304,7 @@ void PhotonMappingIntegrator::gatherAtOnce(const World& world, const PhotonLooku
 void PhotonMappingIntegrator::addPasses(const World& world, PassRange passes, Film& film, RenderCounters& counters) {
     if (!photonTracer_) prepare(world, film);
     for (std::uint64_t pass = passes.begin; pass < passes.end; ++pass)
-        addPass(world, makePass(pass), film, counters);
+        addPass(world, makePass(world, pass), film, counters);
 }
 
 std::vector<std::byte> PhotonMappingIntegrator::saveState() const {

@@ -76,7 +76,7 @@ class PhotonMappingIntegrator final : public Integrator {
     void gatherAtOnce(const World& world, const PhotonLookup& lookup, const Pass& pass, Film& film,
                       RenderCounters& counters);
     void addToFilm(const Gathering& gathering, const Pass& pass, Film& film) const;
-    Pass makePass(std::uint64_t index) const;
+    Pass makePass(const World& world, std::uint64_t index) const;
 
     PhotonMappingSettings settings_;
     SamplerSettings sampler_;

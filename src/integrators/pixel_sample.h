@@ -19,4 +19,10 @@ inline PixelSample samplePixel(const Filter& filter, const V2i& pixel, SampleStr
     return {{raster, stream.get2D()}, filtered.weight};
 }
 
+/// Uniform in [0, 1), of a dimension of its own that none of the others comes near: which time of the shutter a path sees.
+inline float timeNumber(SampleStream stream) {
+    stream.setDimension(0x74696d65);
+    return stream.get1D();
+}
+
 } // namespace vitrine

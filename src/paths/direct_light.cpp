@@ -7,8 +7,8 @@ namespace vitrine {
 LightReceiver receiverAt(const Vertex& vertex, const Bsdf& bsdf) {
     // The BSDFs take sides by the shading normal.
     const V3f& n = vertex.frame.n;
-    if (bsdf.lobes() & lobe::transmission) return {vertex.point().p};
-    return {vertex.point().p, n.dot(vertex.wo) < 0 ? -n : n};
+    if (bsdf.lobes() & lobe::transmission) return {vertex.point().p, V3f(0, 0, 0), vertex.time};
+    return {vertex.point().p, n.dot(vertex.wo) < 0 ? -n : n, vertex.time};
 }
 
 SampledSpectrum emittedLight(const World& world, const Walk& walk, const Vertex& vertex, const LastBounce& last) {

@@ -16,7 +16,7 @@ constexpr double filteredShare = 0.25;
 
 Walk eyeWalk(const World& world, const Ray& ray, const SampledWavelengths& lambda, const PixelFootprint& footprint) {
     Walk walk(world, TransportMode::Radiance, lambda,
-              world.raysStartApart ? interiorAt(world, ray.o) : world.cameraInterior);
+              world.raysStartApart ? interiorAt(world, ray.o, ray.time) : world.cameraInterior);
     walk.ray = ray;
     walk.footprint = footprint;
     return walk;
@@ -38,7 +38,7 @@ SampledSpectrum transmittance(const Interior* interior, double distance, const S
 void Walk::passThrough(const Vertex& vertex) {
     const V3f d = -vertex.wo;
     if (const Interior* interior = vertex.surface->interior()) interior_.cross(*interior, d.dot(vertex.point().ng) < 0);
-    ray = Ray{offsetOrigin(vertex.point(), d), ray.d, ray.tMax - vertex.hit.s};
+    ray = Ray{offsetOrigin(vertex.point(), d), ray.d, ray.tMax - vertex.hit.s, ray.time};
 }
 
 bool Walk::advance(Vertex& vertex) {
@@ -55,6 +55,7 @@ bool Walk::advance(Vertex& vertex) {
         const SurfacePoint& point = vertex.hit.point;
         vertex.surface = &world_.surfaces[vertex.hit.id];
         vertex.wo = -toFloat(ray.d);
+        vertex.time = ray.time;
 
         const Interior* interior = vertex.surface->interior();
         vertex.crossing = {};
@@ -127,7 +128,7 @@ std::optional<Scattered> Walk::scatter(const Vertex& vertex, const Bsdf& bsdf, f
     if (mode_ == TransportMode::Importance) beta *= shadingNormalCorrection(point, vertex.wo, wi);
     if (sample->isTransmission()) etaScale *= sqr(sample->eta);
     if (beta.isBlack()) return {};
-    ray = Ray{offsetOrigin(point, wi), toDouble(wi), infinityD};
+    ray = Ray{offsetOrigin(point, wi), toDouble(wi), infinityD, ray.time};
     return Scattered{wi, sample->pdf, sample->isSpecular(), sample->isTransmission()};
 }
 
@@ -135,7 +136,7 @@ SampledSpectrum shadowTransmittance(const World& world, const Vertex& vertex, co
                                     const InteriorStack& interior, const SampledWavelengths& lambda) {
     const V3d start = offsetOrigin(vertex.point(), wi);
     // A finite shadow ray ends where the light sampler said, wherever it starts.
-    Ray shadow{start, toLight.d, toLight.tMax};
+    Ray shadow{start, toLight.d, toLight.tMax, vertex.time};
     const bool ends = std::isfinite(shadow.tMax);
     const V3d target = vertex.point().p + toLight.d;
     if (ends) shadow.d = target - start;
@@ -168,6 +169,7 @@ SampledSpectrum shadowTransmittance(const World& world, const Vertex& vertex, co
         const V3d o = shadow.o;
         shadow = shadowTo(target, o);
         shadow.o = o;
+        shadow.time = vertex.time;
         // What was met may lie next to the target, and the offset have led past it.
         if (shadow.d.dot(toLight.d) <= 0) return result;
     }

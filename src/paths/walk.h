@@ -13,6 +13,7 @@ struct Vertex {
     CasterHit hit;
     const Surface* surface = nullptr;
     V3f wo; ///< unit, world, back along the path
+    double time = 0;
     Frame frame;
     InteriorStack::Crossing crossing; ///< what lies on the other sides of a solid's surface
     bool scatters = true;             ///< false: it only shines (an interface material, or overruled by another solid)

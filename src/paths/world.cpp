@@ -7,6 +7,7 @@ void World::prepare() {
     for (const auto& light : lights.lights())
         if (light->isInfinite()) infiniteLights.push_back(light.get());
 
+    moves |= camera && camera->moves();
     bool hasInteriors = false;
     for (const Surface& surface : surfaces) {
         filtersTextures |= surface.filtersTextures();
@@ -17,8 +18,8 @@ void World::prepare() {
         hasAbsorption |= interior->absorption != nullptr;
     }
     if (!hasInteriors || !camera) return;
-    cameraInterior = interiorAt(*this, camera->position());
-    raysStartApart = !camera->startsAtPosition() && (hasNestedDielectrics || hasAbsorption);
+    cameraInterior = interiorAt(*this, camera->position(), shutter.open);
+    raysStartApart = (moves || !camera->startsAtPosition()) && (hasNestedDielectrics || hasAbsorption);
 }
 
 namespace {
@@ -47,12 +48,12 @@ std::vector<const Interior*> leftAlong(const World& world, Ray ray) {
 
 } // namespace
 
-InteriorStack interiorAt(const World& world, const V3d& p) {
+InteriorStack interiorAt(const World& world, const V3d& p, double time) {
     // Any direction serves for closed solids; one that no modeller aligns things with avoids edges and tangents. The
     // solid below an infinite plane is left in one of two opposite directions only.
     const V3d direction = V3d(0.36174, 0.75312, 0.54947).normalized();
-    std::vector<const Interior*> around = leftAlong(world, Ray{p, direction});
-    for (const Interior* other : leftAlong(world, Ray{p, -direction}))
+    std::vector<const Interior*> around = leftAlong(world, Ray{p, direction, infinityD, time});
+    for (const Interior* other : leftAlong(world, Ray{p, -direction, infinityD, time}))
         if (std::find(around.begin(), around.end(), other) == around.end()) around.push_back(other);
     // What is left last was entered first.
     InteriorStack stack;

@@ -4,6 +4,7 @@
 #include "accel/caster.h"
 #include "bsdfs/material.h"
 #include "cameras/camera.h"
+#include "core/motion.h"
 #include "lights/light_sampler.h"
 #include "paths/interior_stack.h"
 
@@ -43,6 +44,9 @@ struct World {
     /// Of lights.lights(): whether each certainly lies in the same solids all over. Empty: nothing is known.
     std::vector<bool> undividedLights;
     std::unique_ptr<const Camera> camera;
+    Shutter shutter;
+    /// Whether anything moves: then each path has its time. prepare() adds the camera.
+    bool moves = false;
 
     /// Solids that the camera stands in.
     InteriorStack cameraInterior;
@@ -52,14 +56,14 @@ struct World {
     bool hasAbsorption = false;
     /// Whether any surface filters a texture: then paths need their pixel's footprint.
     bool filtersTextures = false;
-    /// Camera rays start far apart, so that each may start in other solids: they are looked for ray by ray.
+    /// Camera rays start far apart, or in what moves, so that each may start in other solids: they are looked for ray by ray.
     bool raysStartApart = false;
 
     /// Fills the derived members from the others: infinite lights, flags, the camera's interior.
     void prepare();
 };
 
-/// The solids around a point: those that rays from it leave without having entered them.
-InteriorStack interiorAt(const World& world, const V3d& p);
+/// The solids around a point at a time: those that rays from it leave without having entered them.
+InteriorStack interiorAt(const World& world, const V3d& p, double time = 0);
 
 } // namespace vitrine

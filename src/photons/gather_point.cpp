@@ -5,16 +5,16 @@ namespace vitrine {
 namespace {
 
 /// How far a point may leave its surface by `step`: all of the way, or half of the way to what lies there.
-double freeShare(const World& world, const V3d& from, const V3d& step, double offset) {
+double freeShare(const World& world, const V3d& from, const V3d& step, double time, double offset) {
     const double first = offset / step.length(); // off the surface itself
     if (!(first < 1)) return 1;
     CasterHit hit;
-    if (!world.caster->intersect(Ray{from + step * first, step, 1 - first}, hit)) return 1;
+    if (!world.caster->intersect(Ray{from + step * first, step, 1 - first, time}, hit)) return 1;
     return (first + hit.s) / 2;
 }
 
 /// Whether the photon sees the disk's centre along the surface, on the side that it came from.
-bool seen(const World& world, const PhotonSpace& space, const GatherDisk& disk, const Photon& photon) {
+bool seen(const World& world, const PhotonSpace& space, const GatherDisk& disk, const Photon& photon, double time) {
     const V3f apart = photon.p() - disk.center;
     const float side = photon.w().dot(disk.normal) < 0 ? -1.f : 1.f;
     const float distance = apart.length();
@@ -27,10 +27,10 @@ bool seen(const World& world, const PhotonSpace& space, const GatherDisk& disk, 
     const V3d off = up + toDouble(photon.w() * (leastLift * distance));
     const V3d center = space.toWorld(disk.center), place = space.toWorld(photon.p());
     // A solid may stand closer than that: both ends stay in the gap before it, lest its own surface hide one from the other.
-    const double share = std::min(freeShare(world, center, up, space.resolution(disk.center)),
-                                  freeShare(world, place, off, space.resolution(photon.p())));
+    const double share = std::min(freeShare(world, center, up, time, space.resolution(disk.center)),
+                                  freeShare(world, place, off, time, space.resolution(photon.p())));
     const V3d from = center + up * share;
-    return !world.caster->occluded(Ray{from, place + off * share - from, 1});
+    return !world.caster->occluded(Ray{from, place + off * share - from, 1, time});
 }
 
 /// 0 below `from`, 1 above `to`, smooth between.
@@ -92,7 +92,7 @@ SampledSpectrum Gatherer::light(const World& world, const PhotonSpace& space, co
             u = (u - share) / (1 - share);
         }
     }
-    if (!(weights > 0) || !seen(world, space, disk, photons[chosen])) return SampledSpectrum(0.f);
+    if (!(weights > 0) || !seen(world, space, disk, photons[chosen], time)) return SampledSpectrum(0.f);
     return sum * point.beta / (pi * radius2 * float(paths));
 }
 

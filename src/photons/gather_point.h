@@ -29,6 +29,7 @@ struct Gatherer {
     Kernel kernel = Kernel::Epanechnikov;
     std::uint64_t paths = 0; ///< of photons that were traced
     int maxDepth = 5;        ///< scattering events of a whole path: eye part, light part and the point that gathers
+    double time = 0;         ///< of the pass
 
     /// Radiance towards the eye, times the point's beta, hero first, from the photons in its disk.
     /// A disk may reach through a wall that stands on the surface, where photons belong to another room. One photon,

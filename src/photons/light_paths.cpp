@@ -53,7 +53,7 @@ SampleStream LightPaths::stream(std::uint64_t pass, std::uint64_t path) const {
 InteriorStack LightPaths::interiorRound(const Light* light, const Ray& ray) const {
     if (!world_.hasNestedDielectrics && !world_.hasAbsorption) return {};
     const auto known = interiors_.find(light);
-    return known == interiors_.end() ? interiorAt(world_, ray.o) : known->second;
+    return known == interiors_.end() ? interiorAt(world_, ray.o, ray.time) : known->second;
 }
 
 } // namespace vitrine

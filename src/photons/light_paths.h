@@ -26,9 +26,10 @@ class LightPaths {
 
     /// Follows a path and calls atVertex(vertex, bsdf, walk, arrival, stream) at each surface that it meets and that
     /// scatters. walk.beta is the power that arrives there, hero first.
-    /// \param lambda of the pass  \return Walk::lostExits()
+    /// \param lambda, time of the pass  \return Walk::lostExits()
     template <class AtVertex>
-    int follow(std::uint64_t pass, std::uint64_t path, const SampledWavelengths& lambda, AtVertex&& atVertex) const;
+    int follow(std::uint64_t pass, std::uint64_t path, const SampledWavelengths& lambda, double time,
+               AtVertex&& atVertex) const;
 
     /// Dimensions of the stream that a vertex leaves for atVertex, from its stream's position on.
     static constexpr std::uint32_t vertexDimensions = 3;
@@ -73,17 +74,19 @@ std::vector<Block> traceInBlocks(std::uint64_t paths, const Block& empty, OnPath
 }
 
 template <class AtVertex>
-int LightPaths::follow(std::uint64_t pass, std::uint64_t path, const SampledWavelengths& lambda,
+int LightPaths::follow(std::uint64_t pass, std::uint64_t path, const SampledWavelengths& lambda, double time,
                        AtVertex&& atVertex) const {
     SampleStream numbers = stream(pass, path);
     const auto chosen = world_.lights.sample(numbers.get1D());
     const V2f uPosition = numbers.get2D(), uDirection = numbers.get2D();
     Arrival arrival{0, heroOf(path, pass), LightHistory::Scattered};
     const SampledWavelengths own = lambda.rotated(arrival.hero);
-    const auto emission = chosen.light->emit(uPosition, uDirection, own);
+    const auto emission = chosen.light->emit(uPosition, uDirection, own, time);
     if (!emission) return 0;
-    Walk walk(world_, TransportMode::Importance, own, interiorRound(chosen.light, emission->ray));
-    walk.ray = emission->ray;
+    Ray ray = emission->ray;
+    ray.time = time;
+    Walk walk(world_, TransportMode::Importance, own, interiorRound(chosen.light, ray));
+    walk.ray = ray;
     walk.beta = emission->power / chosen.probability;
 
     bool polished = true; // all surfaces so far

@@ -7,7 +7,7 @@ namespace vitrine {
 PhotonTracer::PhotonTracer(const World& world, const PhotonSettings& settings, const SamplerSettings& sampler)
     : space_(world), settings_(settings), paths_(world, std::min(settings.maxDepth, Photon::maxDepth + 1), sampler) {}
 
-PhotonPass PhotonTracer::trace(std::uint64_t pass, const SampledWavelengths& lambda) const {
+PhotonPass PhotonTracer::trace(std::uint64_t pass, const SampledWavelengths& lambda, double time) const {
     struct Block {
         std::vector<Photon> photons;
         std::uint64_t landedPaths = 0, lostExits = 0;
@@ -17,7 +17,7 @@ PhotonPass PhotonTracer::trace(std::uint64_t pass, const SampledWavelengths& lam
         [&](std::uint64_t path, Block& block) {
             const std::size_t before = block.photons.size();
             block.lostExits += std::uint64_t(paths_.follow(
-                pass, path, lambda,
+                pass, path, lambda, time,
                 [&](const Vertex& vertex, const Bsdf& bsdf, const Walk& walk, const LightPaths::Arrival& arrival,
                     SampleStream&) {
                     if ((arrival.depth > 0 || settings_.keepDirect) && gatherProbability(bsdf, arrival.history) > 0)

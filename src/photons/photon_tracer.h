@@ -28,8 +28,8 @@ class PhotonTracer {
     PhotonTracer(const World& world, const PhotonSettings& settings, const SamplerSettings& sampler);
 
     /// Traced by all threads of the current task arena; the photons depend on the pass alone.
-    /// \param lambda of the pass (paths/pass_wavelengths.h)
-    PhotonPass trace(std::uint64_t pass, const SampledWavelengths& lambda) const;
+    /// \param lambda, time of the pass (paths/pass_wavelengths.h, paths/pass_time.h)
+    PhotonPass trace(std::uint64_t pass, const SampledWavelengths& lambda, double time = 0) const;
 
   private:
     PhotonSpace space_;

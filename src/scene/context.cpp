@@ -148,8 +148,20 @@ void acceptWithoutEffect(const ParameterSet& parameters, std::initializer_list<s
     }
 }
 
+Motion motionOf(BuildContext& context, const MovingTransformPtr& transform, const Place& place) {
+    try {
+        if (transform->isMoving() && !(transform->startTime <= transform->endTime))
+            throw std::domain_error("TransformTimes gives an end before the start");
+        return Motion(transform->start, transform->startTime, transform->end, transform->endTime);
+    } catch (const std::domain_error& e) {
+        context.diagnostics().error(place, e.what());
+        return Motion(transform->start);
+    }
+}
+
 const Transform& still(BuildContext& context, const MovingTransformPtr& transform, const Place& place) {
-    if (transform->isMoving()) context.diagnostics().error(place, "animated transformations are not yet supported");
+    if (transform->isMoving())
+        context.diagnostics().error(place, "what is written here cannot move: textures stay where they are");
     return transform->start;
 }
 

@@ -1,6 +1,7 @@
 // What all builders share while a scene's nodes are turned into objects.
 #pragma once
 
+#include "core/motion.h"
 #include "scene/texture_images.h"
 #include "scene/texture_library.h"
 #include "spectrum/colorspace.h"
@@ -90,6 +91,9 @@ void refuse(const ParameterSet& parameters, std::initializer_list<std::string_vi
 
 /// Parameters that change nothing here by design: read so that they are no error.
 void acceptWithoutEffect(const ParameterSet& parameters, std::initializer_list<std::string_view> names);
+
+/// Where a node is at each time. Records an error for a movement that cannot be.
+Motion motionOf(BuildContext& context, const MovingTransformPtr& transform, const Place& place);
 
 /// The transformation of a node that must not move. Records an error when it does.
 const Transform& still(BuildContext& context, const MovingTransformPtr& transform, const Place& place);

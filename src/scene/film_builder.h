@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cameras/camera.h"
+#include "core/motion.h"
 #include "core/sampler.h"
 #include "film/film.h"
 #include "scene/context.h"
@@ -25,6 +26,7 @@ SamplerPlan buildSampler(BuildContext& context, const Overrides& overrides);
 
 struct CameraPlan {
     std::unique_ptr<Camera> camera;
+    Shutter shutter;
     /// What pbrt-v4 writes beside pictures: camera space to [0,1]^3, row vectors; none for a spherical camera.
     std::optional<M44d> ndcFromCamera;
 };

@@ -16,7 +16,8 @@ struct LightInput {
     BuildContext& context;
     const LightNode& node;
     const ParameterSet& parameters;
-    const Transform& worldFromLight;
+    const Motion& worldFromLight;
+    const Shutter& shutter;
 };
 
 /// The white of the colour space at the directive: what pbrt-v4's lights emit by default.
@@ -37,7 +38,7 @@ LightPtr point(const LightInput& in) {
     s.scale = p.getFloat("scale", s.scale);
     s.power = p.getFloat("power", s.power);
     s.from = p.getPoint3("from", s.from);
-    return PointLight::create(in.worldFromLight, s);
+    return PointLight::create(in.worldFromLight, in.shutter, s);
 }
 
 LightPtr spot(const LightInput& in) {
@@ -50,7 +51,7 @@ LightPtr spot(const LightInput& in) {
     s.to = p.getPoint3("to", s.to);
     s.cone.angle = p.getFloat("coneangle", s.cone.angle);
     s.cone.delta = p.getFloat("conedeltaangle", s.cone.delta);
-    return SpotLight::create(in.worldFromLight, s);
+    return SpotLight::create(in.worldFromLight, in.shutter, s);
 }
 
 LightPtr distant(const LightInput& in) {
@@ -61,7 +62,7 @@ LightPtr distant(const LightInput& in) {
     s.illuminance = p.getFloat("illuminance", s.illuminance);
     s.from = p.getPoint3("from", s.from);
     s.to = p.getPoint3("to", s.to);
-    return DistantLight::create(in.worldFromLight, s);
+    return DistantLight::create(in.worldFromLight, in.shutter, s);
 }
 
 LightPtr infinite(const LightInput& in) {
@@ -71,6 +72,8 @@ LightPtr infinite(const LightInput& in) {
     const auto file = p.findString("filename");
     if (!file) return ConstantInfiniteLight::create({emission(in.context, p, "L"), scale, illuminance});
     if (p.has("L")) throw SceneError(p.place("L"), "an infinite light takes \"L\" or \"filename\", not both");
+    if (in.worldFromLight.moves())
+        throw SceneError(in.node.place, "an environment image that moves is not yet supported");
     ImageMetadata metadata;
     Image image = readColours(in.context.file(p, "filename", *file), metadata);
     ImageInfiniteLight::Parameters s;
@@ -80,7 +83,7 @@ LightPtr infinite(const LightInput& in) {
     if (image.width == 2 * image.height) s.mapping = EnvironmentMapping::LatLong;
     s.scale = scale;
     s.illuminance = illuminance;
-    return ImageInfiniteLight::create(in.worldFromLight, image, s);
+    return ImageInfiniteLight::create(in.worldFromLight.start(), image, s);
 }
 
 using LightBuilder = LightPtr (*)(const LightInput&);
@@ -116,11 +119,11 @@ constexpr RegistryEntry<AreaLightBuilder> areaLightTypes[] = {{"diffuse", diffus
 
 } // namespace
 
-LightPtr buildLight(BuildContext& context, const LightNode& node) {
+LightPtr buildLight(BuildContext& context, const LightNode& node, const Shutter& shutter) {
     return context.guarded(node, [&] {
         const auto build = findBuilder<LightBuilder>(lightTypes, node, "light");
-        const Transform& worldFromLight = still(context, node.worldFromLight, node.place);
-        return build({context, node, node.parameters, worldFromLight});
+        const Motion worldFromLight = motionOf(context, node.worldFromLight, node.place);
+        return build({context, node, node.parameters, worldFromLight, shutter});
     });
 }
 

@@ -57,6 +57,7 @@ ShapeNode boxAsMesh(const ShapeNode& box) {
 
 ShapeNode planeAsDisk(const ShapeNode& plane, const Box3d& seen) {
     constexpr double times = 1e4;
+    if (plane.worldFromObject->isMoving()) throw SceneError(plane.place, "transformations that move cannot be written");
     const Transform& world = plane.worldFromObject->start;
     const V3d given = plane.parameters.getNormal("n", V3d(0, 1, 0));
     const auto on = plane.parameters.findPoint3("p");

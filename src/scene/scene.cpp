@@ -177,7 +177,7 @@ Scene buildScene(ParsedScene parsed, const Overrides& overrides) {
     // Without a film there is no aspect for the camera: its error is the one to show.
     CameraPlan camera;
     if (scene.film.resolution.x > 0 && scene.film.resolution.y > 0) camera = buildCamera(context, scene.film);
-    scene.world = buildWorld(context, integrator.lights);
+    scene.world = buildWorld(context, integrator.lights, camera.shutter);
     // What an integrator of its own would read is not known where its directive is wrong.
     if (!parsed.hasErrors) settings.checkRead(nodes, diagnostics);
     if (diagnostics.hasErrors()) throw SceneError(inOrder(diagnostics.all(), nodes.sources));

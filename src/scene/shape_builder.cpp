@@ -145,8 +145,7 @@ std::vector<ShapePtr> buildShape(BuildContext& context, const ShapeNode& node) {
         const auto build = findBuilder<ShapeBuilder>(shapeTypes, node, "shape");
         const ParameterSet& p = node.parameters;
         acceptWithoutEffect(p, {"alpha"}); // findShapeAlpha's
-        const Transform& worldFromObject = still(context, node.worldFromObject, node.place);
-        return build({context, node, p, worldFromObject, node.reverseOrientation});
+        return build({context, node, p, node.worldFromObject->start, node.reverseOrientation});
     });
 }
 

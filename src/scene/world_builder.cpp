@@ -1,5 +1,6 @@
 #include "scene/world_builder.h"
 
+#include "accel/moving_shape.h"
 #include "lights/scene_sphere.h"
 #include "scene/undivided_lights.h"
 #include "shapes/revolution/profile_crossing.h"
@@ -20,7 +21,10 @@ bool isFar(const Box3d& box) {
 
 class WorldBuilder {
   public:
-    WorldBuilder(BuildContext& context, const LightUse& lightUse) : context_(context), lightUse_(lightUse) {}
+    WorldBuilder(BuildContext& context, const LightUse& lightUse, const Shutter& shutter)
+        : context_(context), lightUse_(lightUse) {
+        world_.shutter = shutter;
+    }
 
     World build() {
         refuseMedia();
@@ -35,16 +39,16 @@ class WorldBuilder {
                 addShape(node, group, false);
         }
         for (const auto& instance : context_.nodes().instances)
-            input_.instances.push_back(
-                {std::uint32_t(instance.object), still(context_, instance.worldFromInstance, instance.place)});
+            addInstance(instance);
         refuseFarInstances();
         for (const auto& node : context_.nodes().lights)
-            if (auto light = buildLight(context_, node)) lights_.push_back(std::move(light));
+            addLight(node);
 
         // A scene that is wrong is never rendered: no need to build the tree.
         if (context_.diagnostics().hasErrors()) return {};
         const bool unbounded = hasUnbounded();
-        if (lightUse_.startsPaths) world_.undividedLights = findUndividedLights(input_, world_.surfaces, lights_);
+        if (lightUse_.startsPaths && !world_.moves)
+            world_.undividedLights = findUndividedLights(input_, world_.surfaces, lights_);
         world_.caster = makeCaster(std::move(input_));
         placeLights(unbounded);
         return std::move(world_);
@@ -73,12 +77,14 @@ class WorldBuilder {
 
     void addShape(const ShapeNode& node, std::vector<CasterShape>& to, bool mayShine) {
         const ShapeAlpha alpha = findShapeAlpha(context_, node.parameters);
-        const auto shapes = buildShape(context_, node);
+        auto shapes = buildShape(context_, node);
         const MaterialPtr& material = materials_[std::size_t(node.material)];
         warnOfOpenGlass(node, shapes, material);
         warnOfHoles(node, alpha, material);
-        for (const auto& shape : shapes) {
+        const Motion motion = motionOf(context_, node.worldFromObject, node.place);
+        for (auto& shape : shapes) {
             context_.countPrimitives(shape->primitiveCount());
+            if (motion.moves()) shape = moving(shape, motion.sinceStart());
             if (shape->kind() != GeometryKind::Unbounded && isFar(shape->bounds()))
                 context_.diagnostics().error(
                     node.place, fmt::format("this {} reaches too far: coordinates go up to {:g}", node.type, farthest));
@@ -101,6 +107,37 @@ class WorldBuilder {
         }
     }
 
+    ShapePtr moving(const ShapePtr& shape, const Motion& motion) {
+        world_.moves = true;
+        const auto [caster, isNew] = insideCasters_.try_emplace(shape.get());
+        if (isNew) caster->second = MovingShape::casterFor(shape);
+        return std::make_shared<MovingShape>(shape, motion, world_.shutter, caster->second);
+    }
+
+    /// What moves is copied out of its group: each shape by itself, in its own bounds.
+    void addInstance(const InstanceNode& node) {
+        const Motion motion = motionOf(context_, node.worldFromInstance, node.place);
+        if (!motion.moves()) {
+            input_.instances.push_back({std::uint32_t(node.object), motion.start()});
+            instancePlaces_.push_back(node.place);
+            return;
+        }
+        for (CasterShape entry : input_.groups[std::size_t(node.object)]) {
+            entry.shape = moving(entry.shape, motion);
+            if (entry.shape->kind() != GeometryKind::Unbounded && isFar(entry.shape->bounds()))
+                context_.diagnostics().error(
+                    node.place, fmt::format("this instance reaches too far: coordinates go up to {:g}", farthest));
+            input_.shapes.push_back(std::move(entry));
+        }
+    }
+
+    void addLight(const LightNode& node) {
+        auto light = buildLight(context_, node, world_.shutter);
+        if (!light) return;
+        world_.moves |= node.worldFromLight->isMoving();
+        lights_.push_back(std::move(light));
+    }
+
     static void extend(Box3d& box, const std::vector<CasterShape>& shapes) {
         for (const auto& entry : shapes)
             if (entry.shape->kind() != GeometryKind::Unbounded) box.extendBy(entry.shape->bounds());
@@ -120,7 +157,7 @@ class WorldBuilder {
         for (std::size_t i = 0; i < input_.instances.size(); ++i) {
             const CasterInstance& instance = input_.instances[i];
             const Box3d& group = groups[instance.group];
-            const Place& place = context_.nodes().instances[i].place;
+            const Place& place = instancePlaces_[i];
             if (group.isEmpty()) continue;
             if (isFar(instance.worldFromInstance.box(group)))
                 context_.diagnostics().error(
@@ -242,12 +279,14 @@ class WorldBuilder {
     CasterInput input_;
     std::vector<MaterialPtr> materials_;
     std::vector<LightPtr> lights_;
+    std::vector<Place> instancePlaces_; ///< of input_.instances
+    std::map<const Shape*, std::shared_ptr<const Caster>> insideCasters_;
 };
 
 } // namespace
 
-World buildWorld(BuildContext& context, const LightUse& lightUse) {
-    return WorldBuilder(context, lightUse).build();
+World buildWorld(BuildContext& context, const LightUse& lightUse, const Shutter& shutter) {
+    return WorldBuilder(context, lightUse, shutter).build();
 }
 
 } // namespace vitrine

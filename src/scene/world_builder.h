@@ -2,8 +2,8 @@
 #pragma once
 
 #include "paths/world.h"
-#include "scene/context.h"
 #include "scene/alpha_builder.h"
+#include "scene/context.h"
 
 namespace vitrine {
 
@@ -14,19 +14,19 @@ struct LightUse {
     Place integrator;         ///< where it stands; none if it is the command line's
 };
 
-/// Everything but the camera. Shapes that are wrong are left out and recorded in the context's diagnostics.
-World buildWorld(BuildContext& context, const LightUse& lightUse);
+/// Everything but the camera; bounds hold what moves while the shutter is open. Shapes that are wrong are left out and recorded in the context's diagnostics.
+World buildWorld(BuildContext& context, const LightUse& lightUse, const Shutter& shutter);
 
 // The families, one table each.
 
-/// The shapes of a node: one, or two for a bilinear mesh with planar and curved patches.
+/// The shapes of a node, where they start: one, or two for a bilinear mesh with planar and curved patches.
 std::vector<ShapePtr> buildShape(BuildContext& context, const ShapeNode& node);
 
 /// All of the scene's, in the order of its nodes; null for those that are wrong (then recorded).
 std::vector<MaterialPtr> buildMaterials(BuildContext& context);
 
 /// A light of LightSource.
-LightPtr buildLight(BuildContext& context, const LightNode& node);
+LightPtr buildLight(BuildContext& context, const LightNode& node, const Shutter& shutter);
 
 /// The light of one of the shapes of a node under AreaLightSource `node`; `shapes` are all that the node made, as
 /// `power` is theirs together.
