@@ -23,7 +23,7 @@ namespace vitrine {
 /// | filename          | string     |        | the scene's own name with .exr | picture to write unless the command line names one |
 /// | maxcomponentvalue | float      |        | infinity        | a sample whose largest value on the sensor is above is scaled down to it |
 /// | iso               | float      |        | 100             | the picture is multiplied by the camera's exposure time times iso / 100 |
-/// | shutteropen, shutterclose | float | s   | 0, 1            | of the Camera directive: their difference is the exposure time |
+/// | shutteropen, shutterclose | float | s   | 0, 1            | of the Camera directive: their difference is the exposure time, and what moves is seen where it is between them |
 /// | sensor            | string     |        | "cie1931"       | the only one there is: XYZ matching functions |
 /// | whitebalance      | float      | K      | 0               | only 0, none, is supported |
 struct FilmSettings {

@@ -160,8 +160,7 @@ Motion motionOf(BuildContext& context, const MovingTransformPtr& transform, cons
 }
 
 const Transform& still(BuildContext& context, const MovingTransformPtr& transform, const Place& place) {
-    if (transform->isMoving())
-        context.diagnostics().error(place, "what is written here cannot move: textures stay where they are");
+    if (transform->isMoving()) context.diagnostics().error(place, "animated transformations are not yet supported");
     return transform->start;
 }
 

@@ -307,7 +307,8 @@ TEST_F(Messages, WhatIsValidButNotYetSupportedSaysSo) {
         "Film \"rgb\" \"string sensor\" \"canon_eos_5d\"\nWorldBegin\n"
         "MakeNamedMedium \"m\" \"string type\" \"homogeneous\"\nMediumInterface \"m\" \"\"\n"
         "Shape \"bilinearmesh\" \"point3 P\" [0 0 0  1 0 0  0 1 0  1 1 0] \"string emissionfilename\" \"x.exr\"\n"
-        "ActiveTransform EndTime\nTranslate 1 0 0\nShape \"sphere\"\n",
+        "ActiveTransform EndTime\nTranslate 1 0 0\nTexture \"t\" \"spectrum\" \"checkerboard\" \"integer dimension\" "
+        "3\n",
         {"sensor \"canon_eos_5d\" is not yet supported", "participating media are not yet supported",
          "parameter \"emissionfilename\" is not yet supported", "animated transformations are not yet supported"});
 }

@@ -33,8 +33,8 @@ CasterInput movingScene(std::uint64_t seed, int shapes, bool withCaster) {
     for (int i = 0; i < shapes; ++i) {
         const ShapePtr& shape = kinds[std::size_t(i) % kinds.size()];
         const auto inside = withCaster ? MovingShape::casterFor(shape) : nullptr;
-        input.shapes.push_back({std::make_shared<MovingShape>(shape, anyMotion(random), Shutter(), inside),
-                                std::uint32_t(i), i % 3 != 2});
+        input.shapes.push_back(
+            {std::make_shared<MovingShape>(shape, anyMotion(random), Shutter(), inside), std::uint32_t(i), i % 3 != 2});
     }
     return input;
 }
@@ -69,9 +69,9 @@ TEST(MovingAgreement, InInstances) {
     input.groups.push_back(movingScene(4, 5, true).shapes);
     RandomStream random(5);
     const Motion motion = anyMotion(random);
-    input.shapes.push_back(
-        {std::make_shared<MovingShape>(std::make_shared<Plane>(Transform(), false, V3d(0, 1, 0), -2), motion, Shutter()),
-         100});
+    input.shapes.push_back({std::make_shared<MovingShape>(std::make_shared<Plane>(Transform(), false, V3d(0, 1, 0), -2),
+                                                          motion, Shutter()),
+                            100});
     for (const CasterShape& entry : input.groups[0])
         input.shapes.push_back(
             {std::make_shared<MovingShape>(entry.shape, motion, Shutter()), 101 + entry.id, entry.castsShadow});

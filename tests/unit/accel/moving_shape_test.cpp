@@ -1,5 +1,4 @@
 #include "accel/moving_shape.h"
-
 #include "core/random.h"
 #include "shapes/quad_mesh.h"
 #include "shapes/sphere.h"
@@ -46,7 +45,8 @@ TEST(MovingShape, IsWhereItStandsAtTheRaysTime) {
         EXPECT_TRUE(p.dpdu.equalWithAbsError(q.dpdu, 2e-5f));
         // A ray that leaves does not meet the surface that it leaves.
         const V3f out = p.ng;
-        EXPECT_FALSE(moving->intersect(0, Ray{offsetOrigin(p, out), toDouble(out), infinityD, ray.time}, 0, infinityD, a));
+        EXPECT_FALSE(
+            moving->intersect(0, Ray{offsetOrigin(p, out), toDouble(out), infinityD, ray.time}, 0, infinityD, a));
     }
     EXPECT_GT(hits, 1000);
 }
