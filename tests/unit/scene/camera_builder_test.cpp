@@ -60,7 +60,7 @@ TEST(CameraBuilder, Movements) {
         EXPECT_EQ(world(good), Lines{}) << good;
     EXPECT_EQ(world("Texture \"t\" \"spectrum\" \"checkerboard\" \"integer dimension\" 3\n"),
               Lines{"5: animated transformations are not yet supported"});
-    EXPECT_EQ(errorsOf("WorldBegin\nTransformTimes 2 1\n" + move + "Shape \"sphere\"\n"),
+    EXPECT_EQ(errorsOf("TransformTimes 2 1\nWorldBegin\n" + move + "Shape \"sphere\"\n"),
               Lines{"6: TransformTimes gives an end before the start"});
     EXPECT_EQ(errorsOf("WorldBegin\nActiveTransform EndTime\nScale -1 1 1\nShape \"sphere\"\n"),
               Lines{"4: the transformation mirrors at one of its ends alone: between them it would be flat"});
