@@ -37,7 +37,7 @@ def make(scale):
     brush.branch(painting, dice, (52, 34), 0.45, 26, 1.3, 2)
     brush.branch(painting, dice, (224, 44), 2.85, 28, 1.3, 2)
     brush.seal(painting, dice, 212, 24, 3.6)
-    brush.seal(painting, dice, 60, 57, 3.2)
+    brush.seal(painting, dice, 60, 50, 3.2)
 
     fibres = noise.fbm(21, plane.shape, 130, 300, 3)
     age = noise.fbm(22, plane.shape, 5, 18, 4)
