@@ -266,14 +266,14 @@ std::string glassScene(const std::string& integrator) {
 }
 
 TEST(Motion, PhotonIntegratorsAgreeWithThePathTracerOnMovingGlass) {
-    const Blocks byPaths = rendered(glassScene("\"path\" \"integer maxdepth\" 10"), 1024);
-    const Blocks withoutLights = rendered(glassScene("\"path\" \"integer maxdepth\" 10 \"bool nee\" false"), 2048);
+    const Blocks byPaths = rendered(glassScene("\"path\" \"integer maxdepth\" 10"), 384);
+    const Blocks withoutLights = rendered(glassScene("\"path\" \"integer maxdepth\" 10 \"bool nee\" false"), 512);
     expectSame(withoutLights, byPaths, 0.05);
-    const std::string common = "\"integer maxdepth\" 10 \"integer photonsperiteration\" 8192 ";
-    expectSame(rendered(glassScene("\"lightpath\" " + common), 96), byPaths, 0.05);
+    const std::string common = "\"integer maxdepth\" 10 \"integer photonsperiteration\" 4096 ";
+    expectSame(rendered(glassScene("\"lightpath\" " + common), 48), byPaths, 0.05);
     // Disks of half a pixel lose light at outlines, as in photon_agreement_test.
     for (const std::string kind : {"\"sppm\" ", "\"ppm\" ", "\"ppm\" \"string lookup\" \"kdtree\" "})
-        expectSame(rendered(glassScene(kind + common + "\"float radiuspixels\" .5 "), 96), byPaths, 0.05, 0.01);
+        expectSame(rendered(glassScene(kind + common + "\"float radiuspixels\" .5 "), 48), byPaths, 0.05, 0.01);
 }
 
 TEST(Motion, SamePictureForAnyNumberOfThreads) {
