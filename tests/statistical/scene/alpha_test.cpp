@@ -43,7 +43,8 @@ TEST_P(AlphaLamp, ShinesAlikeHoweverItIsFound) {
     const Measured asked = render("\"path\"", 256), met = render("\"path\" \"bool nee\" false", 1024);
     expectSame("nee", asked, met);
     expectSame("lightpath", render("\"lightpath\"" + photons, 12), asked);
-    expectSame("sppm", render("\"sppm\" \"float radius\" .1 \"bool directbyphotons\" true" + photons, 12), asked, 1e-3);
+    // Over disks this large light that comes from six units away changes by a few thousandths.
+    expectSame("sppm", render("\"sppm\" \"float radius\" .3 \"bool directbyphotons\" true" + photons, 16), asked, 4e-3);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -100,11 +101,12 @@ TEST(Alpha, OfDisksInTheLightMultiplies) {
                               "Shape \"disk\" \"float radius\" 9 \"float height\" 5 \"float alpha\" .3\n"
                               "Shape \"disk\" \"float radius\" 9 \"float height\" 6 \"float alpha\" .6\n";
     const double expected = 2 * .5 / M_PI * .7 * .4;
-    for (const char* integrator : {"\"path\"", "\"lightpath\" \"integer photonsperiteration\" 4096",
-                                   "\"sppm\" \"float radius\" .1 \"integer photonsperiteration\" 1024",
-                                   "\"ppm\" \"float radius\" .2 \"integer photonsperiteration\" 4096"}) {
+    for (const char* integrator :
+         {"\"path\"", "\"lightpath\" \"integer photonsperiteration\" 4096",
+          "\"sppm\" \"float radius\" .1 \"integer photonsperiteration\" 1024",
+          "\"ppm\" \"integer hitpointsperpixel\" 64 \"float radius\" .2 \"integer photonsperiteration\" 1024"}) {
         const Measured measured =
-            measure(sceneOf(integrator + std::string(" \"integer maxdepth\" 4"), light + floorOf + disks), 512);
+            measure(sceneOf(integrator + std::string(" \"integer maxdepth\" 4"), light + floorOf + disks), 64);
         for (int c = 0; c < 3; ++c) {
             EXPECT_NEAR(measured.mean[c], expected, 5 * measured.error[c] + 1e-3 * expected) << integrator;
             EXPECT_LT(measured.error[c], 0.03 * expected) << integrator << ": too noisy for a test";
