@@ -105,16 +105,22 @@ class Scene {
             if (joint > std::min(ua, ub) && joint < std::max(ua, ub) && !isClose(joint, forward)) return false;
         return true;
     }
-    /// Whether the halves' common tip is within the band of the stretch of the profile about these places. Next to the
-    /// tip rounding decides which half a crossing is said to be on.
-    bool meetAtTip(const Place& a, const Place& b) const {
-        if (isVertical()) return false;
+    /// Where on the stretch of the profile about these places the halves' common tip is within the band. Next to the tip
+    /// rounding decides which half a crossing is said to be on.
+    std::optional<long double> tipNear(const Place& a, const Place& b) const {
+        if (isVertical()) return {};
         for (const long double u : {a.u, b.u, (a.u + b.u) / 2})
-            if (meetAtTipNear(u, a, b)) return true;
+            if (const auto tip = tipFrom(u, a, b)) return tip;
         // The profile may turn between the places and the tip: look along all of what is in the band.
         for (const Place* place : {&a, &b})
-            if (const auto near = nearestToTip(*place); near && meetAtTipNear(*near, a, b)) return true;
-        return false;
+            if (const auto near = nearestToTip(*place))
+                if (const auto tip = tipFrom(*near, a, b)) return tip;
+        return {};
+    }
+    /// Whether two places of one half hang together by way of the other: where a fold of the profile lies beyond the tip.
+    bool meetBeyondTip(const Place& a, const Place& b) const {
+        const auto tipA = tipNear(a, a), tipB = tipA ? tipNear(b, b) : std::nullopt;
+        return tipB && isCloseAlong(*tipA, *tipB, !a.forward);
     }
     /// Whether the curve crosses the ray at less than 1e-6 radian.
     bool isGrazing(const Place& p) const {
@@ -191,19 +197,19 @@ class Scene {
         return best;
     }
     /// By Newton's method from u.
-    bool meetAtTipNear(long double u, const Place& a, const Place& b) const {
+    std::optional<long double> tipFrom(long double u, const Place& a, const Place& b) const {
         for (int i = 0; i < 12; ++i) {
             const SlowCurve::Sample c = at(u);
             const auto [ex, ey] = toTip(c);
             if (std::hypot(ex, ey) <= band_ && isCloseAlong(a.u, u, a.forward) && isCloseAlong(u, b.u, b.forward))
-                return true;
+                return u;
             const long double speed2 = c.dx * c.dx + c.dy * c.dy;
             if (!(speed2 > 0)) break;
             const long double next = std::clamp(u + (ex * c.dx + ey * c.dy) / speed2, 0.L, end());
             if (std::fabs(next - u) < 1e-3L * band_) break;
             u = next;
         }
-        return false;
+        return {};
     }
 
     std::vector<SlowCurve> curves_;
@@ -242,14 +248,15 @@ Parts connect(const Scene& scene, const std::vector<Place>& places) {
     }
     for (std::size_t i = 0; i < places.size(); ++i)
         for (std::size_t k = i + 1; k < places.size(); ++k)
-            if (places[i].forward != places[k].forward && parts.of(i) != parts.of(k) &&
-                scene.meetAtTip(places[i], places[k]))
+            if (parts.of(i) != parts.of(k) &&
+                (places[i].forward != places[k].forward ? scene.tipNear(places[i], places[k]).has_value()
+                                                        : scene.meetBeyondTip(places[i], places[k])))
                 parts.join(i, k);
     return parts;
 }
 
 bool touchesTip(const Scene& scene, const std::vector<Place>& part) {
-    return std::any_of(part.begin(), part.end(), [&](const Place& p) { return scene.meetAtTip(p, p); });
+    return std::any_of(part.begin(), part.end(), [&](const Place& p) { return scene.tipNear(p, p).has_value(); });
 }
 
 /// What the part covers of the profile, by halves of the ray; of both halves when they meet in it.
@@ -280,6 +287,11 @@ bool isAtRim(const Scene& scene, const std::vector<Place>& part, const Ray& ray,
 }
 
 bool turnsBack(const Scene& scene, const std::vector<Place>& part) {
+    // Between two true crossings of one half the gap turns, however small the loop.
+    for (const bool forward : {false, true})
+        if (std::count_if(part.begin(), part.end(),
+                          [&](const Place& p) { return !p.ours && p.forward == forward; }) > 1)
+            return true;
     for (const Place& place : part)
         if (scene.isGrazing(place)) return true;
     if (touchesTip(scene, part)) return true;

@@ -106,6 +106,23 @@ TEST(RevolutionJudge, TouchesOfBothHalvesAreOneWhereverTheyMeet) {
     EXPECT_EQ(judged(top, {{-3, 1 + 2e-9, 0.3}, {1, 0, 0}}, both).spurious, 2);
 }
 
+/// A wall that turns back upon itself just beyond the tip: its two sheets are met on one half of the ray, and hang together
+/// by way of the other.
+TEST(RevolutionJudge, ATouchOfAFoldedWallIsOne) {
+    const double x = 0.75;
+    const ProfilePoints wall{{{x, 0.4}, {x, 0}, {x, 0.4}}}; // turns at y = 0.2, t = 0.5
+    const auto rayAt = [&](double depth) { return Ray{{x - depth, 0.2 + 1e-6, 0}, {0, -1, 0x1p-9}}; };
+    const Ray ray = rayAt(0x1p-53);
+    const std::vector<OracleHit> exact = ExactOracle(wall).hits(ray);
+    ASSERT_EQ(exact.size(), 2u);
+    EXPECT_EQ(exact[0].forward, exact[1].forward);
+    EXPECT_TRUE(judged(wall, ray, {}).isClean());
+    EXPECT_TRUE(judged(wall, ray, {}).excused);
+    EXPECT_EQ(judged(wall, ray, without(exact, 0, 1)).missed, 1) << "one of a pair";
+    const Ray deeper = rayAt(2e-9);
+    EXPECT_EQ(judged(wall, deeper, {}).missed, int(ExactOracle(wall).hits(deeper).size()));
+}
+
 TEST(RevolutionJudge, RimsAreExcusedWithinTheBand) {
     for (const double aside : {1e-10, 1e-8}) {
         const Ray ray{{-1 - 3, 2 - aside - 3, 0}, {1, 1, 0}}; // at the upper ring from within, coming up
