@@ -55,10 +55,10 @@ class Reader {
         std::copy_n(metadata.chromaticities, 8, otherPrimaries_.emplace().begin());
     }
 
-    int rowsAtOnce() const { return std::max(ImagePyramid::tileSize, spec_.tile_height); }
+    int rowsAtOnce() const { return std::max(16, spec_.tile_height); }
 
-    /// Of those that the file has. \throws FileError
-    Image decodedRows(int begin, int end) {
+    /// \throws FileError
+    void addRows(PyramidWriter& writer, int begin, int end) {
         const auto rowSize = std::size_t(spec_.width) * std::size_t(spec_.nchannels);
         stored_.resize(rowSize * std::size_t(end - begin));
         const int top = spec_.y + begin, bottom = spec_.y + end;
@@ -68,37 +68,31 @@ class Reader {
                                      OIIO::TypeFloat, stored_.data())
                 : input_->read_scanlines(0, 0, top, bottom, 0, 0, spec_.nchannels, OIIO::TypeFloat, stored_.data());
         if (!ok) failToRead(path_, input_->geterror());
-
-        Image rows{spec_.width, end - begin, int(colours_.size()), {}};
-        rows.pixels.reserve(std::size_t(rows.width) * std::size_t(rows.height) * colours_.size());
-        for (std::size_t i = 0; i < stored_.size(); i += std::size_t(spec_.nchannels))
-            for (const int c : colours_)
-                rows.pixels.push_back(decode_(finite(stored_[i + std::size_t(c)])));
-        if (otherPrimaries_ && !asNumbers_) return inRec709(rows, *otherPrimaries_);
-        return rows;
+        for (int y = 0; y < end - begin; ++y)
+            writer.addRow(decoded(stored_.data() + std::size_t(y) * rowSize));
     }
 
-    void addRows(PyramidWriter& writer, int begin, int end) {
-        const Image rows = decodedRows(begin, end);
-        const auto rowSize = std::size_t(rows.width) * std::size_t(rows.channels);
-        for (int y = 0; y < rows.height; ++y) {
-            const float* const row = rows.pixels.data() + std::size_t(y) * rowSize;
-            writer.addRow(asNumbers_ ? numbers(row, y) : row);
-        }
+    /// A row of the file as one of the pyramid.
+    const float* decoded(const float* stored) {
+        row_ = {spec_.width, 1, int(colours_.size()), std::move(row_.pixels)};
+        row_.pixels.clear();
+        for (int x = 0; x < spec_.width; ++x)
+            for (const int c : colours_)
+                row_.pixels.push_back(decode_(finite(stored[x * spec_.nchannels + c])));
+        if (asNumbers_) return numbers(stored);
+        if (otherPrimaries_) row_ = inRec709(row_, *otherPrimaries_);
+        return row_.pixels.data();
     }
 
     /// The mean of the colours, and alpha.
-    const float* numbers(const float* row, int y) {
+    const float* numbers(const float* stored) {
         numbers_.clear();
         for (int x = 0; x < spec_.width; ++x) {
-            const float* const pixel = row + std::size_t(x) * colours_.size();
+            const float* const pixel = row_.pixels.data() + std::size_t(x) * colours_.size();
             numbers_.push_back(colours_.size() == 3 ? (pixel[0] + pixel[1] + pixel[2]) / 3 : pixel[0]);
             if (!hasAlpha_) continue;
-            const std::size_t index = std::size_t(y) * std::size_t(spec_.width) + std::size_t(x);
-            const float alpha =
-                finite(stored_[index * std::size_t(spec_.nchannels) + std::size_t(spec_.alpha_channel)]);
-            alphaIsOne_ &= alpha == 1;
-            numbers_.push_back(alpha);
+            numbers_.push_back(finite(stored[x * spec_.nchannels + spec_.alpha_channel]));
+            alphaIsOne_ &= numbers_.back() == 1;
         }
         return numbers_.data();
     }
@@ -119,6 +113,7 @@ class Reader {
     std::optional<std::array<float, 8>> otherPrimaries_; ///< of no colour space that is known
     TextureImage image_;
     std::vector<float> stored_, numbers_;
+    Image row_;
     std::uint64_t notFinite_ = 0;
 };
 
