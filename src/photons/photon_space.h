@@ -19,6 +19,10 @@ class PhotonSpace {
     }
 
     V3f fromWorld(const V3d& p) const { return toFloat(p - middle_); }
+    /// Off the surface, so that rounding does not lead to its other side.
+    V3f fromWorld(const V3d& p, const V3f& side) const {
+        return fromWorld(p + toDouble(side) * resolution(fromWorld(p)));
+    }
     V3d toWorld(const V3f& p) const { return toDouble(p) + middle_; }
     /// Of the sphere round everything bounded; 0 when nothing is.
     double sceneRadius() const { return scene_.radius; }

@@ -20,10 +20,13 @@ PhotonPass PhotonTracer::trace(std::uint64_t pass, const SampledWavelengths& lam
                 pass, path, lambda, time,
                 [&](const Vertex& vertex, const Bsdf& bsdf, const Walk& walk, const LightPaths::Arrival& arrival,
                     SampleStream&) {
-                    if ((arrival.depth > 0 || settings_.keepDirect) && gatherProbability(bsdf, arrival.history) > 0)
-                        block.photons.emplace_back(space_.fromWorld(vertex.point().p), vertex.wo,
-                                                   vertex.wo.dot(vertex.point().ng) > 0, arrival.depth, arrival.history,
+                    if ((arrival.depth > 0 || settings_.keepDirect) && gatherProbability(bsdf, arrival.history) > 0) {
+                        const SurfacePoint& at = vertex.point();
+                        const bool front = vertex.wo.dot(at.ng) > 0;
+                        block.photons.emplace_back(space_.fromWorld(at.p, front ? at.ng : -at.ng), vertex.wo, front,
+                                                   arrival.depth, arrival.history,
                                                    rotatedBack(walk.beta, arrival.hero));
+                    }
                 }));
             block.landedPaths += block.photons.size() > before;
         },

@@ -92,13 +92,13 @@ TEST_F(Messages, HalfAMillionErrorsAreNotWaitedFor) {
 }
 
 TEST_F(Messages, ErrorsOfReadingDoNotHideThoseOfBuilding) {
-    refuse("Sampler \"sobl\"\nWorldBegin\nMaterial \"mix\"\nShape \"disk\" \"float foo\" 2 \"float radius\" 3 \"float "
+    refuse("Sampler \"sobl\"\nWorldBegin\nMaterial \"hair\"\nShape \"disk\" \"float foo\" 2 \"float radius\" 3 \"float "
            "radius\" 4\nNamedMaterial \"zz\"\nMediumInterface \"fog\"\n",
            "scene.pbrt:1:9: error: unknown sampler \"sobl\"\n"
            "    Sampler \"sobl\"\n            ^^^^^^\n"
            "    did you mean \"sobol\"?\n"
-           "scene.pbrt:3:10: error: material \"mix\" is not yet supported\n"
-           "    Material \"mix\"\n             ^^^^^\n"
+           "scene.pbrt:3:10: error: material \"hair\" is not yet supported\n"
+           "    Material \"hair\"\n             ^^^^^^\n"
            "scene.pbrt:4:14: error: unused parameter \"foo\"\n"
            "    Shape \"disk\" \"float foo\" 2 \"float radius\" 3 \"float radius\" 4\n"
            "                 ^^^^^^^^^^^\n"
@@ -293,9 +293,7 @@ TEST_F(Messages, WhatIsValidButNotYetSupportedSaysSo) {
     };
     each({Family{"Shape", "shape", {"curve", "loopsubdiv"}},
           Family{"LightSource", "light", {"goniometric", "projection"}},
-          Family{"Material",
-                 "material",
-                 {"coatedconductor", "coateddiffuse", "diffusetransmission", "hair", "measured", "mix", "subsurface"}}},
+          Family{"Material", "material", {"hair", "measured", "subsurface"}}},
          "WorldBegin\n", "");
     // The last of these directives counts, so that each type takes a scene.
     for (const Family& family :

@@ -54,15 +54,39 @@ TEST(PhotonGaps, WallsOnTheOtherSideHideNothing) {
                .5 / M_PI, 32);
 }
 
+/// A sheet without thickness between a lit room and a dark one. Photons on it are kept in single precision about cameras of
+/// which the coordinates round, up or down.
+TEST(PhotonGaps, SheetsLetNothingThrough) {
+    const std::string rooms = "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [20 20 20]\nTranslate 1 .5 0\n"
+                              "Shape \"sphere\" \"float radius\" .2\nAttributeEnd\n"
+                              "Material \"diffuse\" \"rgb reflectance\" [.6 .5 .4]\n"
+                              "ReverseOrientation\nShape \"box\" \"point3 pmin\" [-2 -1 -2] \"point3 pmax\" [2 1 2]\n"
+                              "ReverseOrientation\n";
+    const std::string patch = "Shape \"bilinearmesh\" \"point3 P\" [0 -1.5 -2.5  0 -1.5 2.5  0 1.5 -2.5  0 1.5 2.5]\n";
+    const std::string triangles = "Shape \"trianglemesh\" \"integer indices\" [0 1 2 1 3 2] \"point3 P\" "
+                                  "[0 -1.5 -2.5  0 -1.5 2.5  0 1.5 -2.5  0 1.5 2.5]\n";
+    for (const double x : {-1.8, -1.7, -1.63})
+        for (const std::string& sheet : {patch, triangles}) {
+            const Measured dark = measure(
+                head(fmt::format("LookAt {} .5 1.8  0 -.5 0  0 1 0\nCamera \"perspective\" \"float fov\" 60\n", x),
+                     "\"sppm\" \"integer maxdepth\" 10 \"integer photonsperiteration\" 6000", 32) +
+                    rooms + sheet,
+                8, 2);
+            for (int c = 0; c < 3; ++c)
+                EXPECT_EQ(dark.mean[c], 0) << x << sheet;
+        }
+}
+
 /// Photons of one face of a thin pane must not count on the other as if they came from inside.
 TEST(PhotonGaps, FrostedPanesHaveTwoFaces) {
     const auto scene = [](const std::string& integrator) {
-        return above(integrator, 4, 1) + "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [4 4 4]\nTranslate .5 0 -2\n"
-                                   "Shape \"sphere\" \"float radius\" .7\nAttributeEnd\n"
-                                   "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [1 1 1]\nTranslate -2 1 3\n"
-                                   "Shape \"sphere\" \"float radius\" .5\nAttributeEnd\n"
-                                   "Material \"dielectric\" \"float eta\" 1.5 \"float roughness\" .4\n"
-                                   "Shape \"box\" \"point3 pmin\" [-1.5 -1.5 -.002] \"point3 pmax\" [1.5 1.5 .002]\n";
+        return above(integrator, 4, 1) +
+               "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [4 4 4]\nTranslate .5 0 -2\n"
+               "Shape \"sphere\" \"float radius\" .7\nAttributeEnd\n"
+               "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [1 1 1]\nTranslate -2 1 3\n"
+               "Shape \"sphere\" \"float radius\" .5\nAttributeEnd\n"
+               "Material \"dielectric\" \"float eta\" 1.5 \"float roughness\" .4\n"
+               "Shape \"box\" \"point3 pmin\" [-1.5 -1.5 -.002] \"point3 pmax\" [1.5 1.5 .002]\n";
     };
     const Measured path = measure(scene("\"path\" \"integer maxdepth\" 12"), 512, 4);
     const Measured photons = measure(scene("\"sppm\" \"integer maxdepth\" 12 \"integer photonsperiteration\" 10000 "
