@@ -6,12 +6,12 @@
 // | filter        | string |      | bilinear   | "point", "bilinear", "trilinear", "ewa": how it is averaged over what a pixel sees |
 // | maxanisotropy | float  | 1    | 8          | how many times longer than wide "ewa" sees a pixel                   |
 // | wrap          | string |      | repeat     | beyond the edges: "repeat", "black", "clamp"                         |
-// | encoding      | string |      | sRGB       | of files with whole numbers: "sRGB", "linear", "gamma 2.2"; floats are linear |
+// | encoding      | string |      | sRGB       | of files with whole numbers, unless they say that they are linear: "sRGB", "linear", "gamma 2.2"; floats are linear |
 // | scale         | float  | 1    | 1          | factor of the values                                                 |
 // | invert        | bool   |      | false      | 1 less the scaled values, at least 0                                 |
 //
-// A float texture takes the mean of red, green and blue, or alpha if the image has one that is not 1 everywhere; alpha is never
-// encoded. A spectrum texture leaves alpha alone; reflectances are clamped to [0, 1].
+// A float texture takes the mean of red, green and blue, or alpha if a coloured image has one that is not 1 everywhere; alpha is
+// never encoded. A spectrum texture leaves alpha alone; reflectances are clamped to [0, 1].
 #pragma once
 
 #include "spectrum/colorspace.h"
