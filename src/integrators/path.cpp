@@ -59,15 +59,15 @@ SampledSpectrum PathIntegrator::follow(const World& world, Walk& walk, SampleStr
 
         const float uLight = stream.get1D();
         const V2f uDirect = stream.get2D();
-        const bool nonSpecular = bsdf.isNonSpecular();
-        if (settings_.nee && nonSpecular && !world.lights.empty())
-            result += walk.beta * directLight(world, walk, vertex, bsdf, uLight, uDirect);
+        const LightReceiver at = receiverAt(vertex, bsdf);
+        if (settings_.nee && bsdf.isNonSpecular() && !world.lights.empty())
+            result += walk.beta * directLight(world, walk, vertex, bsdf, at, uLight, uDirect);
 
         const float uLobe = stream.get1D();
         const auto scattered = walk.scatter(vertex, bsdf, uLobe, stream.get2D());
         if (!scattered) return result;
         // Without next-event estimation nothing competes with running into lights.
-        last = {receiverAt(vertex, bsdf), scattered->pdf, scattered->specular || !settings_.nee};
+        last = {at, scattered->pdf, scattered->specular || !settings_.nee};
         regularize |= settings_.regularize && !scattered->specular;
 
         // As pbrt-v4: survival by the throughput as it was before refraction squeezed or spread the beam, and without

@@ -30,9 +30,9 @@ SampledSpectrum escapedLight(const World& world, const Walk& walk, const LastBou
     return sum;
 }
 
-SampledSpectrum directLight(const World& world, const Walk& walk, const Vertex& vertex, const Bsdf& bsdf, float uLight,
-                            const V2f& u) {
-    const auto light = world.lights.sample(receiverAt(vertex, bsdf), uLight, u, walk.lambda());
+SampledSpectrum directLight(const World& world, const Walk& walk, const Vertex& vertex, const Bsdf& bsdf,
+                            const LightReceiver& at, float uLight, const V2f& u) {
+    const auto light = world.lights.sample(at, uLight, u, walk.lambda());
     if (!light) return SampledSpectrum(0.f);
     const V3f wo = vertex.frame.toLocal(vertex.wo), wi = vertex.frame.toLocal(light->wi);
     const SampledSpectrum f = bsdf.f(wo, wi, TransportMode::Radiance) * std::abs(wi.z);

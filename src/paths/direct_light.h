@@ -23,7 +23,8 @@ SampledSpectrum escapedLight(const World& world, const Walk& walk, const LastBou
 
 /// Next-event estimation at a vertex: light of one sampled light, scattered towards vertex.wo. Weighed by the power
 /// heuristic against running into the light by sampling the BSDF.
-SampledSpectrum directLight(const World& world, const Walk& walk, const Vertex& vertex, const Bsdf& bsdf, float uLight,
-                            const V2f& u);
+/// \param at receiverAt(vertex, bsdf)
+SampledSpectrum directLight(const World& world, const Walk& walk, const Vertex& vertex, const Bsdf& bsdf,
+                            const LightReceiver& at, float uLight, const V2f& u);
 
 } // namespace vitrine

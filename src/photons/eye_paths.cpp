@@ -97,9 +97,10 @@ void EyePaths::follow(Path path, SampleStream& stream, std::vector<GatherPoint>&
         const bool gatheredBefore = path.causticsGathered;
         const bool gathers = uGather < gatherProbability(bsdf, LightHistory::Scattered);
         // Where photons bring the direct light nothing else does.
+        const LightReceiver at = receiverAt(vertex, bsdf);
         const bool asksLights = bsdf.isNonSpecular() && !(gathers && settings_.directByPhotons);
         if (asksLights && !world_.lights.empty())
-            light += walk.beta * directLight(world_, walk, vertex, bsdf, uLight, uDirect);
+            light += walk.beta * directLight(world_, walk, vertex, bsdf, at, uLight, uDirect);
         if (gathers) {
             gather(path, vertex, bsdf, LightHistory::Scattered, points);
             const bool hasDelta = bsdf.lobes() & lobe::specular;
@@ -129,7 +130,7 @@ void EyePaths::follow(Path path, SampleStream& stream, std::vector<GatherPoint>&
             if (!back || back->transmission) break;
             walk.beta *= back->pdf;
             path.branch *= back->pdf;
-            path.last = {receiverAt(vertex, bsdf), back->pdf, true};
+            path.last = {at, back->pdf, true};
             continue;
         }
         const auto scattered = walk.scatter(vertex, bsdf, uLobe, uDirection);
@@ -141,7 +142,7 @@ void EyePaths::follow(Path path, SampleStream& stream, std::vector<GatherPoint>&
         } else if (path.ends && settings_.directByPhotons) {
             break;
         }
-        path.last = {receiverAt(vertex, bsdf), scattered->pdf, scattered->specular};
+        path.last = {at, scattered->pdf, scattered->specular};
         if (path.ends && !lightReach_.mayMeet(walk.ray)) break;
     }
     lostExits += std::uint64_t(walk.lostExits() - lostBefore);

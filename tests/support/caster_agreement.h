@@ -9,6 +9,17 @@
 
 namespace vitrine::test {
 
+/// Scaled, then turned about an axis that is none of the coordinates', then moved.
+inline Transform placed(const V3d& translation, const V3d& scale, double angle) {
+    M44d m;
+    m.setAxisAngle(V3d(1, 2, 3).normalized(), angle);
+    M44d s;
+    s.setScale(scale);
+    M44d t;
+    t.setTranslation(translation);
+    return Transform(s * m * t);
+}
+
 /// A ray of one of many kinds about a box: from inside, outside, far away; along axes, along faces; with directions of
 /// any length; segments; and, now and then, rays that must meet nothing because they are none.
 /// \param inFace whether the ray runs in the plane of a face of the box, where all it meets is edges

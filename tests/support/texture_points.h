@@ -1,6 +1,7 @@
 // Points that textures are looked up at.
 #pragma once
 
+#include "shapes/shape.h"
 #include "textures/texture.h"
 
 #include <gtest/gtest.h>
@@ -20,6 +21,15 @@ inline TexturePoint uvAt(const V2f& uv, const V2f& duvdx = V2f(0), const V2f& du
     at.uv = uv;
     at.duvdx = duvdx;
     at.duvdy = duvdy;
+    return at;
+}
+
+/// Without a footprint.
+inline TexturePoint textureAt(const SurfacePoint& point) {
+    TexturePoint at;
+    at.p = point.p;
+    at.ng = point.ng;
+    at.uv = point.uv;
     return at;
 }
 

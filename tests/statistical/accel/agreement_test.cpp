@@ -16,16 +16,6 @@ namespace {
 constexpr int million = 1'000'000;
 const Allowance exact{0, 0};
 
-Transform placed(const V3d& translation, const V3d& scale, double angle) {
-    M44d m;
-    m.setAxisAngle(V3d(1, 2, 3).normalized(), angle);
-    M44d s;
-    s.setScale(scale);
-    M44d t;
-    t.setTranslation(translation);
-    return Transform(s * m * t);
-}
-
 CasterInput of(std::vector<ShapePtr> shapes) {
     CasterInput input;
     for (std::size_t i = 0; i < shapes.size(); ++i)

@@ -16,16 +16,6 @@ namespace {
 
 const Allowance exact{0, 0};
 
-Transform placed(const V3d& translation, const V3d& scale, double angle) {
-    M44d m;
-    m.setAxisAngle(V3d(1, 2, 3).normalized(), angle);
-    M44d s;
-    s.setScale(scale);
-    M44d t;
-    t.setTranslation(translation);
-    return Transform(s * m * t);
-}
-
 /// All with holes but the last.
 CasterInput withHoles(std::vector<ShapePtr> shapes, const CutoutPtr& cutout = std::make_shared<SpottedCutout>()) {
     CasterInput input;

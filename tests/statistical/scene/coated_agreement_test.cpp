@@ -58,15 +58,8 @@ TEST_P(CoatedAgreement, WithPathTracing) {
         {"ppm", "\"ppm\" \"integer hitpointsperpixel\" 16 " + small, 0.004, 16}};
     if (!hasDelta) methods.push_back({"lightpath", "\"lightpath\" " + common, 0});
     for (const Method& method : methods) {
-        const Measured ours = measure(sceneOf(method.integrator, floor, metal), method.passes * work);
-        for (int c = 0; c < 3; ++c) {
-            const double error = std::hypot(path.error[c], ours.error[c]);
-            EXPECT_NEAR(ours.mean[c], path.mean[c], 4 * error + method.bias * path.mean[c]) << method.name << " " << c;
-            EXPECT_LT(error, 0.02 * path.mean[c]) << method.name << ": too noisy for a test";
-            RecordProperty(fmt::format("{}{}", method.name, c),
-                           fmt::format("{:.5f} +- {:.5f}, path {:.5f} +- {:.5f}", ours.mean[c], ours.error[c],
-                                       path.mean[c], path.error[c]));
-        }
+        expectAgreement(method.name, measure(sceneOf(method.integrator, floor, metal), method.passes * work), path,
+                        method.bias, 0.02);
     }
 }
 

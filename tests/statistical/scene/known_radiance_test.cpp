@@ -10,10 +10,7 @@ namespace {
 
 /// 4 x 4 pixels that look from +z to the origin.
 std::string head(const std::string& camera, const std::string& integrator = "\"integer maxdepth\" 200") {
-    return camera +
-           "\nFilm \"rgb\" \"integer xresolution\" 4 \"integer yresolution\" 4\n"
-           "Sampler \"zsobol\"\nPixelFilter \"box\"\nIntegrator \"path\" " +
-           integrator + "\nWorldBegin\n";
+    return vitrine::head(camera, "\"path\" " + integrator);
 }
 const std::string inside = "Camera \"perspective\" \"float fov\" 60\n";
 const std::string fromFar = "LookAt 0 0 5 0 0 0 0 1 0\nCamera \"perspective\" \"float fov\" 10\n";

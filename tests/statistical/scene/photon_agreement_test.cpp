@@ -44,15 +44,7 @@ TEST(PhotonAgreement, WithPathTracing) {
           Method{"all by photons", "\"sppm\" \"bool directbyphotons\" true \"string radiusrule\" \"perpoint\" " + small,
                  0.003},
           Method{"ppm", "\"ppm\" " + small, 0.003}, Method{"lightpath", "\"lightpath\" " + common, 0}}) {
-        const Measured ours = measure(sceneOf(method.integrator), 64 * work);
-        for (int c = 0; c < 3; ++c) {
-            const double error = std::hypot(path.error[c], ours.error[c]);
-            EXPECT_NEAR(ours.mean[c], path.mean[c], 4 * error + method.bias * path.mean[c]) << method.name << " " << c;
-            EXPECT_LT(error, 0.018 * path.mean[c]) << method.name << ": too noisy for a test";
-            RecordProperty(fmt::format("{}{}", method.name, c),
-                           fmt::format("{:.5f} +- {:.5f}, path {:.5f} +- {:.5f}", ours.mean[c], ours.error[c],
-                                       path.mean[c], path.error[c]));
-        }
+        expectAgreement(method.name, measure(sceneOf(method.integrator), 64 * work), path, method.bias, 0.018);
     }
 }
 

@@ -22,11 +22,7 @@ std::string below(const std::string& integrator) {
 }
 
 void expectGrey(const std::string& text, double expected, std::uint64_t passes) {
-    const Measured measured = measure(text, passes, 4);
-    for (int c = 0; c < 3; ++c) {
-        EXPECT_NEAR(measured.mean[c], expected, 5 * measured.error[c] + 5e-3 * expected) << "channel " << c;
-        EXPECT_LT(measured.error[c], 0.02 * expected) << "too noisy for a test";
-    }
+    expectRadiance(text, expected, passes, 5e-3, 0.02, 4);
 }
 
 const std::string mattFloor = "Material \"diffuse\" \"spectrum reflectance\" [300 .5 900 .5]\nShape \"disk\"\n";

@@ -12,11 +12,7 @@ namespace {
 /// Within 5 standard errors and half a percent.
 /// \param noisiest the largest standard error, as a part of `expected`, with which this is a test
 void expectRadiance(const std::string& text, double expected, std::uint64_t passes, double noisiest = 0.05) {
-    const Measured measured = measure(text, passes, 8);
-    for (int c = 0; c < 3; ++c) {
-        EXPECT_NEAR(measured.mean[c], expected, 5 * measured.error[c] + 5e-3 * expected) << "channel " << c;
-        EXPECT_LT(measured.error[c], noisiest * expected) << "too noisy for a test";
-    }
+    vitrine::expectRadiance(text, expected, passes, 5e-3, noisiest);
 }
 
 // ---- White furnace: a closed room that emits 1 and reflects a shows 1 / (1 - a). ----

@@ -8,13 +8,6 @@
 namespace vitrine {
 namespace {
 
-/// \param camera with all it needs
-std::string head(const std::string& camera, const std::string& integrator, int side = 4) {
-    return camera + fmt::format("\nFilm \"rgb\" \"integer xresolution\" {0} \"integer yresolution\" {0}\n"
-                                "Sampler \"zsobol\"\nPixelFilter \"box\"\nIntegrator {1}\nWorldBegin\n",
-                                side, integrator);
-}
-
 // ---- Shading normals ----
 
 constexpr double tilt = 0.5; ///< sine of the shading normal's angle to the true one, in x
@@ -43,11 +36,7 @@ double formFactor() {
 
 /// Within 5 standard errors and one percent.
 void expectRadiance(const std::string& text, double expected, std::uint64_t passes) {
-    const Measured measured = measure(text, passes, 8);
-    for (int c = 0; c < 3; ++c) {
-        EXPECT_NEAR(measured.mean[c], expected, 5 * measured.error[c] + 0.01 * expected) << "channel " << c;
-        EXPECT_LT(measured.error[c], 0.05 * expected) << "too noisy for a test";
-    }
+    vitrine::expectRadiance(text, expected, passes, 0.01, 0.05);
 }
 
 constexpr const char* byPhotons = "\"sppm\" \"integer photonsperiteration\" 20000 \"float radius\" .05 "

@@ -4,6 +4,7 @@
 #include "scene/scene.h"
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 namespace vitrine {
 
@@ -49,6 +50,31 @@ inline Measured measure(const std::string& text, std::uint64_t passes = 256, int
         m.error[c] = std::sqrt(m.error[c] / (double(runs) * (runs - 1)));
     }
     return m;
+}
+
+/// Expects `expected` in all channels, within 5 standard errors and a part of it for the bias of photons' disks.
+/// \param noisiest the largest standard error, as a part of `expected`, with which this is a test
+inline void expectRadiance(const std::string& text, double expected, std::uint64_t passes, double bias, double noisiest,
+                           int runs = 8) {
+    const Measured measured = measure(text, passes, runs);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(measured.mean[c], expected, 5 * measured.error[c] + bias * expected) << "channel " << c;
+        EXPECT_LT(measured.error[c], noisiest * expected) << "too noisy for a test";
+    }
+}
+
+/// Expects the means to agree within 4 standard errors and a bias, as a part of the path tracer's.
+/// \param noisiest as expectRadiance's
+inline void expectAgreement(const std::string& method, const Measured& ours, const Measured& path, double bias,
+                            double noisiest) {
+    for (int c = 0; c < 3; ++c) {
+        const double error = std::hypot(path.error[c], ours.error[c]);
+        EXPECT_NEAR(ours.mean[c], path.mean[c], 4 * error + bias * path.mean[c]) << method << " " << c;
+        EXPECT_LT(error, noisiest * path.mean[c]) << method << ": too noisy for a test";
+        testing::Test::RecordProperty(fmt::format("{}{}", method, c),
+                                      fmt::format("{:.5f} +- {:.5f}, path {:.5f} +- {:.5f}", ours.mean[c],
+                                                  ours.error[c], path.mean[c], path.error[c]));
+    }
 }
 
 /// Expects grey radiance `expected`, within 5 standard errors and the rounding of RGB uplift (0.1 %).

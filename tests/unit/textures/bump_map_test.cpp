@@ -4,6 +4,7 @@
 #include "shapes/cylinder.h"
 #include "shapes/sphere.h"
 #include "support/meshes.h"
+#include "support/texture_points.h"
 #include "textures/bump_map.h"
 #include "textures/footprint.h"
 
@@ -28,14 +29,6 @@ double ripples(double u, double v) {
 }
 
 const auto rippled = std::make_shared<Heights>([](const TexturePoint& at) { return ripples(at.uv.x, at.uv.y); });
-
-TexturePoint textureAt(const SurfacePoint& point) {
-    TexturePoint at;
-    at.p = point.p;
-    at.ng = point.ng;
-    at.uv = point.uv;
-    return at;
-}
 
 /// The unit normal of the surface p(u, v), outwards as n, by central differences.
 V3f normalOf(const std::function<V3d(double, double)>& p, const V2f& uv, const V3f& n) {

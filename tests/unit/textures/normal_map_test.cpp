@@ -1,6 +1,7 @@
 #include "core/random.h"
 #include "made_image.h"
 #include "support/meshes.h"
+#include "support/texture_points.h"
 #include "textures/bump_map.h"
 #include "textures/normal_map.h"
 
@@ -28,14 +29,6 @@ SurfacePoint pointOn(const Shape& shape, double x, double y) {
     PrimitiveHit hit;
     if (!shape.intersect(0, ray, 0, infinityD, hit)) throw std::logic_error("the ray misses");
     return shape.pointAt(ray, hit);
-}
-
-TexturePoint textureAt(const SurfacePoint& point) {
-    TexturePoint at;
-    at.p = point.p;
-    at.ng = point.ng;
-    at.uv = point.uv;
-    return at;
 }
 
 /// The image of normals of the heights over the square: the upper row is at v = 1.
